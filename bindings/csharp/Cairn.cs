@@ -266,6 +266,17 @@ namespace Cairn
 		public int worker_count;
 		/// <summary>blows at least this fast are reported by CN_EVENT_HIT, &gt;= 0; CN_DEFAULT (default): 1 x length unit</summary>
 		public float hit_speed_mps;
+		/// <summary>Of a world in one block (memory); others ignore them. pairs that touch at once, &gt;= 0; further ones do
+		/// not collide: CN_WARNING_CONTACT_MEMORY; CN_DEFAULT (default): contact_capacity</summary>
+		public int touching_capacity;
+		/// <summary>pairs that report events (event_mask of a shape, sensors), &gt;= 0; further ones report none, which
+		/// cn_counters.events_not_reported counts; CN_DEFAULT (default): contact_capacity</summary>
+		public int event_capacity;
+		/// <summary>vertices of a polygon, 3 to CN_POLYGON_MAX_VERTICES; larger ones take what is left of the block; default
+		/// CN_POLYGON_MAX_VERTICES</summary>
+		public int vertex_capacity;
+		/// <summary>CN_RESERVE_*: what else the block has room for; the rest takes what is left of it; default all</summary>
+		public uint reserve;
 	}
 
 	/// <summary>Counts of objects, and problems of the last step.</summary>
@@ -1398,6 +1409,16 @@ namespace Cairn
 		public const uint CN_WORLD_PROFILE = 4;
 		/// <summary>fast bodies stop at surfaces instead of passing through (default on)</summary>
 		public const uint CN_WORLD_CONTINUOUS = 8;
+
+		// What a block of fixed capacities (cn_world_def.memory) has room for from the beginning.
+		/// <summary>a name of each body</summary>
+		public const uint CN_RESERVE_NAMES = 1;
+		/// <summary>chains; cn_material.user_id of each shape</summary>
+		public const uint CN_RESERVE_CHAINS = 2;
+		/// <summary>rolling resistance, conveyors, locked axes</summary>
+		public const uint CN_RESERVE_EXTRA_ROWS = 4;
+		/// <summary>lists of moved bodies, interpolated poses</summary>
+		public const uint CN_RESERVE_MOVED = 8;
 
 		// Solvers: see examples/docs/solvers.md.
 		/// <summary>soft constraints with substeps, and direct solving of joints, leaning piles and heavily loaded piles</summary>

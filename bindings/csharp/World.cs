@@ -179,6 +179,17 @@ namespace Cairn
 		public int WorkerCount;
 		/// <summary>blows at least this fast are reported by CN_EVENT_HIT, &gt;= 0; CN_DEFAULT (default): 1 x length unit</summary>
 		public float HitSpeedMps;
+		/// <summary>Of a world in one block (memory); others ignore them. pairs that touch at once, &gt;= 0; further ones do
+		/// not collide: CN_WARNING_CONTACT_MEMORY; CN_DEFAULT (default): contact_capacity</summary>
+		public int TouchingCapacity;
+		/// <summary>pairs that report events (event_mask of a shape, sensors), &gt;= 0; further ones report none, which
+		/// cn_counters.events_not_reported counts; CN_DEFAULT (default): contact_capacity</summary>
+		public int EventCapacity;
+		/// <summary>vertices of a polygon, 3 to CN_POLYGON_MAX_VERTICES; larger ones take what is left of the block; default
+		/// CN_POLYGON_MAX_VERTICES</summary>
+		public int VertexCapacity;
+		/// <summary>CN_RESERVE_*: what else the block has room for; the rest takes what is left of it; default all</summary>
+		public uint Reserve;
 
 		/// <summary>The defaults of the fields.</summary>
 		public static WorldDef Default

@@ -93,6 +93,10 @@ const (
 	WorldWarmStart = 2
 	WorldProfile = 4
 	WorldContinuous = 8
+	ReserveNames = 1
+	ReserveChains = 2
+	ReserveExtraRows = 4
+	ReserveMoved = 8
 	SolverAuto = 0
 	SolverSoft = 1
 	SolverDirect = 2
@@ -320,6 +324,17 @@ type WorldDef struct {
 	WorkerCount int32
 	// blows at least this fast are reported by CN_EVENT_HIT, >= 0; CN_DEFAULT (default): 1 x length unit
 	HitSpeedMps float32
+	// Of a world in one block (memory); others ignore them. pairs that touch at once, >= 0; further ones do not
+	// collide: CN_WARNING_CONTACT_MEMORY; CN_DEFAULT (default): contact_capacity
+	TouchingCapacity int32
+	// pairs that report events (event_mask of a shape, sensors), >= 0; further ones report none, which
+	// cn_counters.events_not_reported counts; CN_DEFAULT (default): contact_capacity
+	EventCapacity int32
+	// vertices of a polygon, 3 to CN_POLYGON_MAX_VERTICES; larger ones take what is left of the block; default
+	// CN_POLYGON_MAX_VERTICES
+	VertexCapacity int32
+	// CN_RESERVE_*: what else the block has room for; the rest takes what is left of it; default all
+	Reserve uint32
 }
 
 var _ [unsafe.Sizeof(WorldDef{})]byte = [C.sizeof_cn_world_def]byte{}

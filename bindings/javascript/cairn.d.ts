@@ -88,6 +88,10 @@ export const CN_WORLD_SLEEP: 1;
 export const CN_WORLD_WARM_START: 2;
 export const CN_WORLD_PROFILE: 4;
 export const CN_WORLD_CONTINUOUS: 8;
+export const CN_RESERVE_NAMES: 1;
+export const CN_RESERVE_CHAINS: 2;
+export const CN_RESERVE_EXTRA_ROWS: 4;
+export const CN_RESERVE_MOVED: 8;
 export const CN_SOLVER_AUTO: 0;
 export const CN_SOLVER_SOFT: 1;
 export const CN_SOLVER_DIRECT: 2;
@@ -290,6 +294,17 @@ export interface WorldDef {
 	worker_count: number;
 	/** blows at least this fast are reported by CN_EVENT_HIT, >= 0; CN_DEFAULT (default): 1 x length unit */
 	hit_speed_mps: number;
+	/** Of a world in one block (memory); others ignore them. pairs that touch at once, >= 0; further ones do not
+	collide: CN_WARNING_CONTACT_MEMORY; CN_DEFAULT (default): contact_capacity */
+	touching_capacity: number;
+	/** pairs that report events (event_mask of a shape, sensors), >= 0; further ones report none, which
+	cn_counters.events_not_reported counts; CN_DEFAULT (default): contact_capacity */
+	event_capacity: number;
+	/** vertices of a polygon, 3 to CN_POLYGON_MAX_VERTICES; larger ones take what is left of the block; default
+	CN_POLYGON_MAX_VERTICES */
+	vertex_capacity: number;
+	/** CN_RESERVE_*: what else the block has room for; the rest takes what is left of it; default all */
+	reserve: number;
 }
 
 /** Counts of objects, and problems of the last step. */

@@ -66,6 +66,10 @@ static const field fields_cn_world_def[] = {
 	{ "memory_bytes", offsetof(cn_world_def, memory_bytes), UINT64, 0, NULL },
 	{ "worker_count", offsetof(cn_world_def, worker_count), INT32, 0, NULL },
 	{ "hit_speed_mps", offsetof(cn_world_def, hit_speed_mps), FLOAT, 0, NULL },
+	{ "touching_capacity", offsetof(cn_world_def, touching_capacity), INT32, 0, NULL },
+	{ "event_capacity", offsetof(cn_world_def, event_capacity), INT32, 0, NULL },
+	{ "vertex_capacity", offsetof(cn_world_def, vertex_capacity), INT32, 0, NULL },
+	{ "reserve", offsetof(cn_world_def, reserve), UINT32, 0, NULL },
 	{ NULL, 0, FLOAT, 0, NULL },
 };
 static const record record_cn_world_def = { "cn_world_def", sizeof(cn_world_def), fields_cn_world_def, init_cn_world_def, -1 };
@@ -4169,6 +4173,10 @@ static const struct {
 	{ "WORLD_WARM_START", (int32_t)CN_WORLD_WARM_START },
 	{ "WORLD_PROFILE", (int32_t)CN_WORLD_PROFILE },
 	{ "WORLD_CONTINUOUS", (int32_t)CN_WORLD_CONTINUOUS },
+	{ "RESERVE_NAMES", (int32_t)CN_RESERVE_NAMES },
+	{ "RESERVE_CHAINS", (int32_t)CN_RESERVE_CHAINS },
+	{ "RESERVE_EXTRA_ROWS", (int32_t)CN_RESERVE_EXTRA_ROWS },
+	{ "RESERVE_MOVED", (int32_t)CN_RESERVE_MOVED },
 	{ "SOLVER_AUTO", (int32_t)CN_SOLVER_AUTO },
 	{ "SOLVER_SOFT", (int32_t)CN_SOLVER_SOFT },
 	{ "SOLVER_DIRECT", (int32_t)CN_SOLVER_DIRECT },

@@ -108,6 +108,14 @@ enum {
 	CN_WORLD_CONTINUOUS = 8, // fast bodies stop at surfaces instead of passing through (default on)
 };
 
+// What a block of fixed capacities (cn_world_def.memory) has room for from the beginning.
+enum {
+	CN_RESERVE_NAMES = 1, // a name of each body
+	CN_RESERVE_CHAINS = 2, // chains; cn_material.user_id of each shape
+	CN_RESERVE_EXTRA_ROWS = 4, // rolling resistance, conveyors, locked axes
+	CN_RESERVE_MOVED = 8, // lists of moved bodies, interpolated poses
+};
+
 // Solvers: see examples/docs/solvers.md.
 enum {
 	CN_SOLVER_AUTO = 0, // soft constraints with substeps, and direct solving of joints, leaning piles and heavily loaded piles
@@ -398,6 +406,10 @@ typedef struct cn_world_def {
 	void *task_user; // last argument of enqueue and finish
 	int32_t worker_count; // threads that share a step, including the calling one; 0 to CN_WORKERS_MAX; default 0, the same as 1: no threads, no tasks
 	float hit_speed_mps; // blows at least this fast are reported by CN_EVENT_HIT, >= 0; CN_DEFAULT (default): 1 x length unit
+	int32_t touching_capacity; // Of a world in one block (memory); others ignore them. pairs that touch at once, >= 0; further ones do not collide: CN_WARNING_CONTACT_MEMORY; CN_DEFAULT (default): contact_capacity
+	int32_t event_capacity; // pairs that report events (event_mask of a shape, sensors), >= 0; further ones report none, which cn_counters.events_not_reported counts; CN_DEFAULT (default): contact_capacity
+	int32_t vertex_capacity; // vertices of a polygon, 3 to CN_POLYGON_MAX_VERTICES; larger ones take what is left of the block; default CN_POLYGON_MAX_VERTICES
+	uint32_t reserve; // CN_RESERVE_*: what else the block has room for; the rest takes what is left of it; default all
 } cn_world_def;
 
 // Counts of objects, and problems of the last step.

@@ -114,6 +114,10 @@ CN_WORLD_SLEEP = 1
 CN_WORLD_WARM_START = 2
 CN_WORLD_PROFILE = 4
 CN_WORLD_CONTINUOUS = 8
+CN_RESERVE_NAMES = 1
+CN_RESERVE_CHAINS = 2
+CN_RESERVE_EXTRA_ROWS = 4
+CN_RESERVE_MOVED = 8
 CN_SOLVER_AUTO = 0
 CN_SOLVER_SOFT = 1
 CN_SOLVER_DIRECT = 2
@@ -345,6 +349,10 @@ class cn_world_def(_c.Structure):
         ("task_user", _c.c_void_p),  # last argument of enqueue and finish
         ("worker_count", _c.c_int32),  # threads that share a step, including the calling one; 0 to CN_WORKERS_MAX; default 0, the same as 1: no threads, no tasks
         ("hit_speed_mps", _c.c_float),  # blows at least this fast are reported by CN_EVENT_HIT, >= 0; CN_DEFAULT (default): 1 x length unit
+        ("touching_capacity", _c.c_int32),  # Of a world in one block (memory); others ignore them. pairs that touch at once, >= 0; further ones do not collide: CN_WARNING_CONTACT_MEMORY; CN_DEFAULT (default): contact_capacity
+        ("event_capacity", _c.c_int32),  # pairs that report events (event_mask of a shape, sensors), >= 0; further ones report none, which cn_counters.events_not_reported counts; CN_DEFAULT (default): contact_capacity
+        ("vertex_capacity", _c.c_int32),  # vertices of a polygon, 3 to CN_POLYGON_MAX_VERTICES; larger ones take what is left of the block; default CN_POLYGON_MAX_VERTICES
+        ("reserve", _c.c_uint32),  # CN_RESERVE_*: what else the block has room for; the rest takes what is left of it; default all
     ]
 
 

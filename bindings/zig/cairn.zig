@@ -118,6 +118,16 @@ pub const CN_WORLD_PROFILE = 4;
 /// fast bodies stop at surfaces instead of passing through (default on)
 pub const CN_WORLD_CONTINUOUS = 8;
 
+// What a block of fixed capacities (cn_world_def.memory) has room for from the beginning.
+/// a name of each body
+pub const CN_RESERVE_NAMES = 1;
+/// chains; cn_material.user_id of each shape
+pub const CN_RESERVE_CHAINS = 2;
+/// rolling resistance, conveyors, locked axes
+pub const CN_RESERVE_EXTRA_ROWS = 4;
+/// lists of moved bodies, interpolated poses
+pub const CN_RESERVE_MOVED = 8;
+
 // Solvers: see examples/docs/solvers.md.
 /// soft constraints with substeps, and direct solving of joints, leaning piles and heavily loaded piles
 pub const CN_SOLVER_AUTO = 0;
@@ -552,9 +562,20 @@ pub const cn_world_def = extern struct {
     worker_count: i32,
     /// blows at least this fast are reported by CN_EVENT_HIT, >= 0; CN_DEFAULT (default): 1 x length unit
     hit_speed_mps: f32,
+    /// Of a world in one block (memory); others ignore them. pairs that touch at once, >= 0; further ones do
+    /// not collide: CN_WARNING_CONTACT_MEMORY; CN_DEFAULT (default): contact_capacity
+    touching_capacity: i32,
+    /// pairs that report events (event_mask of a shape, sensors), >= 0; further ones report none, which
+    /// cn_counters.events_not_reported counts; CN_DEFAULT (default): contact_capacity
+    event_capacity: i32,
+    /// vertices of a polygon, 3 to CN_POLYGON_MAX_VERTICES; larger ones take what is left of the block;
+    /// default CN_POLYGON_MAX_VERTICES
+    vertex_capacity: i32,
+    /// CN_RESERVE_*: what else the block has room for; the rest takes what is left of it; default all
+    reserve: u32,
 
     comptime {
-        if (@sizeOf(usize) == 8 and @sizeOf(cn_world_def) != 160) @compileError("cn_world_def");
+        if (@sizeOf(usize) == 8 and @sizeOf(cn_world_def) != 176) @compileError("cn_world_def");
     }
 };
 

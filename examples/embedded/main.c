@@ -8,7 +8,8 @@
 #include "embedded/board.h"
 
 #define BODIES 51
-#define CONTACTS 150
+#define CONTACTS 128 /* pairs of boxes that are near each other; ... */
+#define TOUCHING 96  /* ... and that touch */
 #define STEPS 300
 #define BLOCK_BYTES (320 * 1024) /* prints how much of it the world needs */
 
@@ -54,6 +55,7 @@ static cn_result add_box(cn_world *world, int32_t type, float x, float y, float 
 	if (result != CN_OK)
 		return result;
 	cn_shape_def_init(&shape_def);
+	shape_def.event_mask = 0;
 	shape_def.body = body;
 	return cn_shape_create_box(world, &shape_def, half_width, half_height, 0.0f, NULL);
 }
@@ -93,6 +95,10 @@ int main(void)
 	def.solver = CN_SOLVER_SOFT;
 	def.body_capacity = def.shape_capacity = BODIES;
 	def.contact_capacity = CONTACTS;
+	def.touching_capacity = TOUCHING;
+	def.event_capacity = 0;
+	def.vertex_capacity = 4;
+	def.reserve = 0;
 	def.memory = block;
 	def.memory_bytes = sizeof block;
 	if (cn_world_bytes_needed(&def, &bytes) == CN_OK)

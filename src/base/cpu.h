@@ -7,7 +7,7 @@
 #include "base/config.h"
 
 /* 1 when kernels use vectors of four floats. gcc before 12 has no __builtin_shufflevector. */
-#if !defined(CN_NO_SIMD) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+#if !defined(CN_NO_SIMD) && !defined(CN_SMALL_BLOCKS) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
     (defined(__SSE2__) || defined(__ARM_NEON) || defined(__wasm_simd128__))
 #define CNI_HAS_WIDE_4 1
 #else

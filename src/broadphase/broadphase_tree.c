@@ -24,8 +24,13 @@ static inline cni_proxy *proxy_at(const tree_broadphase *b, int32_t id) { return
 
 /* ---- memory ---- */
 
-/* The proxy table grows by pages of 64, so reservations are rounded up to whole pages. */
-static int32_t whole_pages(int32_t proxies) { return proxies < INT32_MAX - 63 ? (proxies + 63) & ~63 : proxies; }
+/* The proxy table grows by pages (model/world.h), so reservations are rounded up to whole ones. */
+#ifdef CN_SMALL_BLOCKS
+#define PAGE 4
+#else
+#define PAGE 64
+#endif
+static int32_t whole_pages(int32_t proxies) { return proxies < INT32_MAX - PAGE + 1 ? (proxies + PAGE - 1) & ~(PAGE - 1) : proxies; }
 
 static int32_t tree_reserve(cni_broadphase *broadphase, int32_t extra)
 {

@@ -91,9 +91,9 @@ int32_t cni_contact_allowed(const cn_world *world, int32_t proxy_a, int32_t prox
 
 /* ---- creation and destruction ---- */
 
-/* With a fixed memory block, room for the end events of every contact is reserved at its creation: destroying must not fail without
-   memory. The logs of the last step and of calls since are swapped, so both reserve it. */
-static int32_t reserve_ends(cn_world *world, int32_t count)
+/* With a fixed memory block, room for the end events of every contact that reports is reserved before it does: destroying must not fail
+   without memory. The logs of the last step and of calls since are swapped, so both reserve it. */
+int32_t cni_contact_reserve_reports(cn_world *world, int32_t count)
 {
 	static const int32_t kinds[] = { CN_EVENT_LEAVE, CN_EVENT_DESTROYED };
 	int32_t k, good = cni_array_reserve(&world->events.sensor_log, &world->memory, count) &&
@@ -108,8 +108,7 @@ cn_result cni_contact_reserve(cn_world *world, int32_t extra)
 {
 	int32_t count = world->contact_count + extra;
 	int32_t good = cni_table_reserve(&world->contacts, &world->memory, cni_max_i(world->contact_used, count)) &&
-	               cni_array_reserve(&world->apart, &world->memory, count) &&
-	               (!world->memory.fixed || reserve_ends(world, count));
+	               cni_array_reserve(&world->apart, &world->memory, count);
 	return good ? CN_OK : CN_ERROR_MEMORY;
 }
 
@@ -117,6 +116,21 @@ static void log_or_defer(cn_world *world, int32_t contact, int32_t kind, uint32_
 {
 	if (!cni_event_log(world, contact, kind))
 		cni_contact_at(world, contact)->flags |= owed;
+}
+
+/* The flags of a contact that is to have these: in a fixed block without room for the ends of its events it has none. */
+static uint32_t flags_with_room(cn_world *world, uint32_t flags)
+{
+	if (!cni_contact_reports(flags))
+		return flags;
+	if (world->memory.fixed &&
+	    (world->contacts_reporting >= world->event_capacity || !cni_contact_reserve_reports(world, world->contacts_reporting + 1))) {
+		world->warnings |= CN_WARNING_EVENT_MEMORY;
+		++world->events_not_reported;
+		return flags & CNI_CONTACT_SENSOR ? CNI_CONTACT_SENSOR | CNI_CONTACT_MUTE : flags & ((1u << CNI_CONTACT_EVENTS_SHIFT) - 1u);
+	}
+	++world->contacts_reporting;
+	return flags;
 }
 
 /* Flags of a contact between two shapes. Sensor pairs report through sensor events only. */
@@ -179,7 +193,7 @@ int32_t cni_contact_create(cn_world *world, int32_t proxy_a, int32_t proxy_b)
 	c->body[side] = a->body;
 	c->body[1 - side] = b->body;
 	c->slot = CNI_NONE;
-	c->flags = flags_of_shapes(a, b);
+	c->flags = flags_with_room(world, flags_of_shapes(a, b));
 	list_link(world, contact, 0);
 	list_link(world, contact, 1);
 	if (contact_is_awake(world, c)) {
@@ -195,7 +209,7 @@ cn_result cni_contact_reserve_end(cn_world *world, int32_t contacts)
 	cni_array *leave = &world->events.pending[CN_EVENT_LEAVE], *destroyed = &world->events.pending[CN_EVENT_DESTROYED];
 	cni_array *sensed = &world->events.sensor_pending;
 	int32_t good;
-	contacts = cni_min_i(contacts, world->contact_count); /* callers count contacts between two of their bodies twice */
+	contacts = cni_min_i(contacts, world->contacts_reporting); /* callers count contacts between two of their bodies twice */
 	good = cni_array_reserve(sensed, &world->memory, sensed->count + contacts) && cni_array_reserve(leave, &world->memory, leave->count + contacts) &&
 	       cni_array_reserve(destroyed, &world->memory, destroyed->count + contacts);
 	return good ? CN_OK : CN_ERROR_MEMORY;
@@ -213,6 +227,7 @@ int32_t cni_contact_destroy(cn_world *world, int32_t contact)
 	cni_contact_leave_apart_list(world, contact);
 	list_unlink(world, contact, 0);
 	list_unlink(world, contact, 1);
+	world->contacts_reporting -= cni_contact_reports(c->flags);
 	c->flags = 0;
 	c->body[0] = c->body[1] = CNI_NONE;
 	record_give(world, contact);
@@ -274,12 +289,17 @@ static void event_span_change(cn_world *world, int32_t contact, uint32_t mask, i
 void cni_contact_set_events(cn_world *world, int32_t contact, uint32_t mask)
 {
 	cni_contact *c = cni_contact_at(world, contact);
+	int32_t had;
 	if (c->flags & CNI_CONTACT_SENSOR)
 		return;
+	had = cni_contact_reports(c->flags);
+	if (!had)
+		mask = flags_with_room(world, mask << CNI_CONTACT_EVENTS_SHIFT) >> CNI_CONTACT_EVENTS_SHIFT;
 	if (c->flags & CNI_CONTACT_TOUCHING)
 		event_span_change(world, contact, mask, CN_EVENT_ENTER, CN_EVENT_LEAVE, CNI_CONTACT_ENTER_OWED);
 	event_span_change(world, contact, mask, CN_EVENT_CREATED, CN_EVENT_DESTROYED, CNI_CONTACT_CREATED_OWED);
 	c->flags = (c->flags & ((1u << CNI_CONTACT_EVENTS_SHIFT) - 1u)) | mask << CNI_CONTACT_EVENTS_SHIFT;
+	world->contacts_reporting -= had && mask == 0;
 	cni_contact_mark_sums(world, c);
 }
 
@@ -372,7 +392,7 @@ int32_t cni_contact_update_sensor(cn_world *world, int32_t contact, int32_t over
 {
 	cni_contact *c = cni_contact_at(world, contact);
 	int32_t was = (c->flags & CNI_CONTACT_SENSING) != 0;
-	if (was == overlaps)
+	if (was == overlaps || (c->flags & CNI_CONTACT_MUTE))
 		return 1;
 	if (!cni_sensor_event_log(world, contact, overlaps ? CN_EVENT_ENTER : CN_EVENT_LEAVE))
 		return 0;

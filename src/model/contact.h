@@ -37,11 +37,13 @@
 #include "collision/manifold.h"
 #include "model/body.h"
 
-#ifdef CN_SMALL_BLOCKS /* a fourth of the memory that blocks of few contacts leave unused; the same bits; without vectors of 8 */
-#define CNI_LANES 4
+#ifdef CN_SMALL_BLOCKS /* no lane is unused; the same bits, without vectors */
+#define CNI_LANES 1
 #else
 #define CNI_LANES 16
 #endif
+/* Blocks of 16 lanes in a row of a colour: early rest takes them in and out of the passes together, at any size of blocks. */
+#define CNI_BLOCKS_A_GROUP (16 / CNI_LANES)
 #define CNI_COLOR_STATIC 23
 #define CNI_COLOR_OVERFLOW 31
 #define CNI_COLORS 32
@@ -164,6 +166,7 @@ enum {
 	CNI_CONTACT_ONE_WAY = 1u << 10,     /* one shape is a one-way platform */
 	CNI_CONTACT_PASSING = 1u << 11,     /* ... that the other shape is passing through */
 	CNI_CONTACT_PRE_SOLVE = 1u << 12,   /* the user's callback sees it before solving */
+	CNI_CONTACT_MUTE = 1u << 13,        /* a sensor that reports nothing: a fixed block has no room for it */
 	CNI_CONTACT_EVENTS_SHIFT = 16       /* bits 16..21: the CN_EVENT_ kinds that it reports */
 };
 
@@ -179,6 +182,13 @@ typedef struct cni_contact {
 
 /* Reserves memory for extra more contacts: records and apart list (lanes are reserved when they begin to touch). */
 cn_result cni_contact_reserve(cn_world *world, int32_t extra);
+/* Reserves memory for the ends of the events of so many contacts. 0: no memory. */
+int32_t cni_contact_reserve_reports(cn_world *world, int32_t count);
+/* Does a contact with these flags report events? */
+static inline int32_t cni_contact_reports(uint32_t flags)
+{
+	return (flags & (CNI_CONTACT_SENSOR | CNI_CONTACT_MUTE)) == CNI_CONTACT_SENSOR || flags >> CNI_CONTACT_EVENTS_SHIFT != 0;
+}
 /* Record of an existing contact between two proxies, or CNI_NONE. O(contacts of the body with fewer). */
 int32_t cni_contact_find(const cn_world *world, int32_t proxy_a, int32_t proxy_b);
 /* Keys of the contacts of a shape, in the list of its body. CNI_NONE: none, or no body. O(contacts of the body) for all. */

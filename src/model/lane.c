@@ -22,7 +22,7 @@ int32_t cni_lane_reserve_extra(cn_world *world)
 int32_t cni_lane_reserve(cn_world *world, int32_t lanes)
 {
 	/* Full blocks, and at worst one partial block for each colour. */
-	int32_t blocks = lanes / CNI_LANES + cni_min_i(lanes, CNI_COLORS);
+	int32_t blocks = lanes / CNI_LANES + (CNI_LANES == 1 ? 0 : cni_min_i(lanes, CNI_COLORS));
 	return cni_table_reserve(&world->blocks_hot, &world->memory, blocks) &&
 	       cni_table_reserve(&world->blocks_info, &world->memory, blocks) &&
 	       cni_table_reserve(&world->blocks_anchor, &world->memory, blocks) &&

@@ -10,7 +10,7 @@ uint64_t cni_shape_piece_bytes(const cn_world *world, int32_t type, int32_t coun
 {
 	int32_t bytes = cni_geometry_bytes(type, count);
 	if (world->memory.fixed)
-		bytes = cni_max_i(bytes, cni_geometry_bytes(CN_SHAPE_POLYGON, CN_POLYGON_MAX_VERTICES));
+		bytes = cni_max_i(bytes, cni_geometry_bytes(CN_SHAPE_POLYGON, world->vertex_capacity));
 	return (uint64_t)bytes;
 }
 

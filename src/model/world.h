@@ -25,7 +25,11 @@
 #define CNI_ESTIMATED_MOST 32
 
 /* Items in a page of each table, as powers of two: small first pages keep an empty world small. */
+#ifdef CN_SMALL_BLOCKS
+enum { CNI_PAGE_BODIES = 2, CNI_PAGE_READBACK = 3, CNI_PAGE_SHAPES = 2, CNI_PAGE_PROXIES = 2, CNI_PAGE_CONTACTS = 3, CNI_PAGE_BLOCKS = 3, CNI_PAGE_JOINTS = 2, CNI_PAGE_ISLANDS = 2 };
+#else
 enum { CNI_PAGE_BODIES = 4, CNI_PAGE_READBACK = 5, CNI_PAGE_SHAPES = 4, CNI_PAGE_PROXIES = 5, CNI_PAGE_CONTACTS = 6, CNI_PAGE_BLOCKS = 2, CNI_PAGE_JOINTS = 5, CNI_PAGE_ISLANDS = 5 };
+#endif
 
 /* Numbers of the world definition with defaults and the length unit resolved. */
 typedef struct cni_settings {
@@ -72,7 +76,7 @@ struct cn_world {
 	float step_dt;               /* length of the current or last step */
 	float mean_dt;               /* mean length of the steps so far; 0: none */
 	int32_t overridden;          /* 1: a body or joint has had its own solver */
-	int32_t reserved_steps;
+	int32_t event_capacity;      /* of a fixed block: contacts that may report events */
 
 	/* bodies */
 	cni_handles body_handles;
@@ -122,6 +126,8 @@ struct cn_world {
 	int32_t contact_used;
 	int32_t contact_free;        /* linked by cni_contact.slot */
 	int32_t contact_count;
+	int32_t contacts_reporting;  /* that report events */
+	int32_t vertex_capacity;     /* of a fixed block: all shapes with at most so many vertices take the same memory; else 0 */
 	int32_t touching_count;      /* lanes and sleep lanes */
 	cni_table contacts;          /* cni_contact */
 	cni_array apart;             /* int32_t: awake contacts that do not touch; count of the list, capacity for all contacts */

@@ -239,6 +239,21 @@ static void block_prefetch(const cni_listed_block *b, int32_t active)
 	CNI_PREFETCH(b->rows->ib);
 }
 
+/* Keeps the blocks begin .. end - 1 of a colour's list, behind those kept so far, if one is active. Returns how many. */
+static int32_t group_unlist(const cni_external *externals, cni_listed_block *list, int32_t begin, int32_t end, int32_t kept, int32_t active)
+{
+	int32_t k, is_kept = 0;
+	for (k = begin; k < end && active && !is_kept; ++k)
+		is_kept = block_is_active(externals, &list[k]);
+	for (k = begin; k < end; ++k) {
+		if (is_kept)
+			list[kept + k - begin] = list[k];
+		else
+			list[k].info->flags |= CNI_BLOCK_RESTED;
+	}
+	return is_kept ? end - begin : 0;
+}
+
 static void blocks_unlist(cn_world *world, int32_t active)
 {
 	const cni_external *externals = cni_externals(world);
@@ -247,13 +262,10 @@ static void blocks_unlist(cn_world *world, int32_t active)
 	for (color = 0; color < CNI_COLORS; ++color) {
 		cni_color *c = &world->colors[color];
 		int32_t kept = 0;
-		for (k = 0; k < c->listed_count; ++k) {
+		for (k = 0; k < c->listed_count; k += CNI_BLOCKS_A_GROUP) {
 			if (k + BLOCKS_AHEAD < c->listed_count)
 				block_prefetch(&list[c->listed + k + BLOCKS_AHEAD], active);
-			if (active && block_is_active(externals, &list[c->listed + k]))
-				list[c->listed + kept++] = list[c->listed + k];
-			else
-				list[c->listed + k].info->flags |= CNI_BLOCK_RESTED;
+			kept += group_unlist(externals, list + c->listed, k, cni_min_i(k + CNI_BLOCKS_A_GROUP, c->listed_count), kept, active);
 		}
 		c->listed_count = kept;
 	}

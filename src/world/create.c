@@ -32,6 +32,10 @@ void cn_world_def_init(cn_world_def *def)
 	def->sleep_speed_mps = CN_DEFAULT;
 	def->sleep_delay_s = 0.5f;
 	def->hit_speed_mps = CN_DEFAULT;
+	def->touching_capacity = CN_DEFAULT;
+	def->event_capacity = CN_DEFAULT;
+	def->vertex_capacity = CN_POLYGON_MAX_VERTICES;
+	def->reserve = CNI_RESERVE_ALL;
 }
 
 /* ---- checking ---- */
@@ -62,6 +66,10 @@ static void def_check_memory(cni_call *call, const cn_world_def *d)
 	cni_check_range_int(call, "shape_capacity", d->shape_capacity, 0, most);
 	cni_check_range_int(call, "contact_capacity", d->contact_capacity, 0, 16 * most);
 	cni_check_range_int(call, "joint_capacity", d->joint_capacity, 0, most);
+	cni_check_range_int(call, "touching_capacity", d->touching_capacity, CN_DEFAULT, 16 * most);
+	cni_check_range_int(call, "event_capacity", d->event_capacity, CN_DEFAULT, 16 * most);
+	cni_check_range_int(call, "vertex_capacity", d->vertex_capacity, 3, CN_POLYGON_MAX_VERTICES);
+	cni_check_flags(call, "reserve", d->reserve, CNI_RESERVE_ALL);
 	if (call->result == CN_OK && (d->alloc == NULL) != (d->free == NULL))
 		cni_refuse(call, CN_ERROR_ARGUMENT, "alloc and free; must both be set or both be NULL");
 	if (call->result == CN_OK && (d->enqueue == NULL) != (d->finish == NULL))
@@ -264,6 +272,8 @@ static cn_result team_create(cn_world *world, const cn_world_def *d)
 
 /* ---- capacities ---- */
 
+#define SPARE_BYTES 1024u /* what the first allocations leave between others when they grow */
+
 /* Slots that have worn out their index are found by a list of aliases, which a fixed world has beforehand. */
 static int32_t reserve_handles(cn_world *world, const cn_world_def *d, cni_handles *handles, int32_t capacity)
 {
@@ -282,11 +292,19 @@ static int32_t reserve_records(cn_world *world, const cn_world_def *d)
 	       cni_island_reserve(world, d->body_capacity / 2 + 2);
 }
 
+static int32_t or_contacts(int32_t capacity, const cn_world_def *d)
+{
+	return capacity == CN_DEFAULT ? d->contact_capacity : cni_min_i(capacity, d->contact_capacity);
+}
+
+static int32_t touching_of(const cn_world_def *d) { return or_contacts(d->touching_capacity, d); }
+static int32_t events_of(const cn_world_def *d) { return or_contacts(d->event_capacity, d); }
+static int32_t reserves(const cn_world_def *d, uint32_t what) { return (d->reserve & what) != 0; }
+
 static int32_t reserve_contacts(cn_world *world, const cn_world_def *d)
 {
 	cni_memory *m = &world->memory;
-	int32_t n = d->contact_capacity;
-	return cni_contact_reserve(world, n) == CN_OK && cni_lane_reserve(world, n) &&
+	return cni_contact_reserve(world, d->contact_capacity) == CN_OK && cni_lane_reserve(world, touching_of(d)) &&
 	       cni_array_reserve_exact(&world->awake_joints, m, d->joint_capacity) &&
 	       cni_array_reserve_exact(&world->joint_work, m, d->joint_capacity) &&
 	       cni_array_reserve_exact(&world->joint_blocks, m, cni_joint_blocks_for(d->joint_capacity));
@@ -295,15 +313,15 @@ static int32_t reserve_contacts(cn_world *world, const cn_world_def *d)
 static int32_t reserve_pieces(cn_world *world, const cn_world_def *d)
 {
 	cni_blocks *blocks = &world->blocks;
-	return cni_blocks_reserve(blocks, cni_shape_piece_bytes(world, CN_SHAPE_POLYGON, CN_POLYGON_MAX_VERTICES), d->shape_capacity) &&
-	       cni_blocks_reserve(blocks, CNI_SHAPE_IDS_BYTES, 2 * d->shape_capacity) &&
-	       cni_blocks_reserve(blocks, CN_NAME_MAX_BYTES + 1, d->body_capacity);
+	return cni_blocks_reserve(blocks, cni_shape_piece_bytes(world, CN_SHAPE_POLYGON, 3), d->shape_capacity) &&
+	       (!reserves(d, CN_RESERVE_CHAINS) || cni_blocks_reserve(blocks, CNI_SHAPE_IDS_BYTES, 2 * d->shape_capacity)) &&
+	       (!reserves(d, CN_RESERVE_NAMES) || cni_blocks_reserve(blocks, CN_NAME_MAX_BYTES + 1, d->body_capacity));
 }
 
 /* See cni_lane_reserve. */
-static int32_t blocks_for(int32_t contacts)
+static int32_t blocks_for(int32_t lanes)
 {
-	return contacts / CNI_LANES + cni_min_i(contacts, CNI_COLORS);
+	return lanes / CNI_LANES + (CNI_LANES == 1 ? 0 : cni_min_i(lanes, CNI_COLORS));
 }
 
 /* Most islands: bodies that touch nothing have none. */
@@ -329,12 +347,12 @@ static uint64_t solver_bytes(const cn_world_def *d)
 static uint64_t arena_bytes(const cn_world_def *d)
 {
 	uint64_t box = cni_team_possible(d->worker_count, d->enqueue) ? 80u : 40u; /* workers also store their pairs */
-	uint64_t boxes = 2048u + box * (uint64_t)d->shape_capacity, pairs = 64u + sizeof(cni_pair) * (uint64_t)d->contact_capacity; /* or changes of the narrowphase */
+	uint64_t boxes = (CNI_HAS_SWEEP ? 2048u : 64u) + box * (uint64_t)d->shape_capacity, pairs = 64u + sizeof(cni_pair) * (uint64_t)d->contact_capacity; /* or changes of the narrowphase */
 	uint64_t island = 64u + 8u * (uint64_t)d->body_capacity;
 	uint64_t joints = solver_bytes(d), scratch = boxes > pairs ? boxes : pairs;
 	joints += 128u + (uint64_t)islands_for(d->body_capacity) + 3u * sizeof(int32_t) * ((uint64_t)d->body_capacity + 1u); /* cni_angular_momentum_restore; cni_rest_find takes less */
 	joints += 64u + sizeof(int32_t) * ((uint64_t)d->body_capacity + 1u) * 3u / 2u; /* the islands of awake bodies */
-	joints += 64u + sizeof(cni_block_sums) * (uint64_t)blocks_for(d->contact_capacity);
+	joints += 64u + sizeof(cni_block_sums) * (uint64_t)cni_min_i(blocks_for(touching_of(d)), events_of(d));
 	return (scratch > joints ? scratch : joints) + island;
 }
 
@@ -345,62 +363,71 @@ static int32_t plan_items(const cn_world_def *d)
 }
 
 /* Reserves for a fixed world the arrays that a growing world allocates on demand. */
+static int32_t reserve_events(cn_world *world, const cn_world_def *d)
+{
+	cni_memory *m = &world->memory;
+	cni_events *events = &world->events;
+	int32_t kind, n = events_of(d);
+	for (kind = 0; kind < CN_EVENT_KINDS; ++kind)
+		if (!cni_array_reserve_exact(&events->log[kind], m, n))
+			return 0;
+	return cni_contact_reserve_reports(world, n) && cni_array_reserve_exact(&events->asleep, m, 2 * d->body_capacity) &&
+	       cni_array_reserve_exact(&events->joint_log, m, d->joint_capacity) && cni_array_reserve_exact(&events->joint_pending, m, d->joint_capacity);
+}
+
+static int32_t reserve_moved(cn_world *world, const cn_world_def *d)
+{
+	cni_memory *m = &world->memory;
+	return cni_array_reserve_exact(&world->events.moved, m, 2 * d->body_capacity + 1) &&
+	       cni_array_reserve_exact(&world->previous, m, d->body_capacity) && cni_table_reserve(&world->readback, m, d->body_capacity);
+}
+
 static int32_t reserve_rest(cn_world *world, const cn_world_def *d)
 {
 	cni_memory *m = &world->memory;
-	int32_t n = d->contact_capacity, kind;
-	for (kind = 0; kind < CN_EVENT_KINDS; ++kind) {
-		if (!cni_array_reserve_exact(&world->events.log[kind], m, n))
-			return 0;
-	}
-	return reserve_pieces(world, d) && cni_array_reserve_exact(&world->sleep_lanes, m, n) && cni_array_reserve_exact(&world->pairs.list, m, n) &&
-	       cni_array_reserve_exact(&world->events.asleep, m, 2 * d->body_capacity) &&
-	       cni_array_reserve_exact(&world->events.moved, m, 2 * d->body_capacity + 1) &&
-	       cni_array_reserve_exact(&world->direct_islands, m, d->body_capacity / 2) &&
+	return reserve_events(world, d) && reserve_pieces(world, d) && cni_array_reserve_exact(&world->sleep_lanes, m, touching_of(d)) &&
+	       cni_array_reserve_exact(&world->pairs.list, m, d->contact_capacity) &&
+	       cni_array_reserve_exact(&world->direct_islands, m, CNI_HAS_DIRECT ? d->body_capacity / 2 : 0) &&
 	       cni_array_reserve_exact(&world->direct_plans[0], m, plan_items(d)) &&
 	       cni_array_reserve_exact(&world->kicked, m, 2 * d->body_capacity) &&
-	       cni_array_reserve_exact(&world->previous, m, d->body_capacity) && cni_table_reserve(&world->readback, m, d->body_capacity) &&
-	       cni_array_reserve_exact(&world->events.joint_log, m, d->joint_capacity) &&
-	       cni_array_reserve_exact(&world->events.joint_pending, m, d->joint_capacity) &&
+	       (!reserves(d, CN_RESERVE_MOVED) || reserve_moved(world, d)) &&
 	       cni_arena_reserve(&world->arena, arena_bytes(d));
 }
 
 static uint64_t array_bytes(int32_t count, size_t item)
 {
-	return cni_memory_rounded((uint64_t)count * item + 64u);
+	return cni_memory_rounded((uint64_t)count * item);
 }
 
 /* Bytes of the block allocator's pieces that a fixed world reserves (see model/shape.h), and of chains of more than 32 edges: 12 bytes
-   per edge beyond that, half as much again for size classes. */
+   per edge beyond that, half as much again for size classes. A kind of pieces may leave the end of a chunk unused, and there is a table
+   of chunks. */
 static uint64_t pieces_bytes(const cn_world_def *d)
 {
-	uint64_t shape = cni_blocks_rounded((uint64_t)cni_geometry_bytes(CN_SHAPE_POLYGON, CN_POLYGON_MAX_VERTICES)) + 2u * CNI_SHAPE_IDS_BYTES;
-	uint64_t bytes = (uint64_t)d->shape_capacity * (shape + 18u) + (uint64_t)d->body_capacity * cni_blocks_rounded(CN_NAME_MAX_BYTES + 1);
-	return bytes + bytes / 512u + 8192u; /* chunk ends and the table of chunks */
+	uint64_t shape = cni_blocks_rounded((uint64_t)cni_geometry_bytes(CN_SHAPE_POLYGON, d->vertex_capacity));
+	uint64_t name = reserves(d, CN_RESERVE_NAMES) ? cni_blocks_rounded(CN_NAME_MAX_BYTES + 1) : 0u;
+	uint64_t chains = reserves(d, CN_RESERVE_CHAINS) ? 2u * CNI_SHAPE_IDS_BYTES + 18u : 0u;
+	uint64_t bytes = (uint64_t)d->shape_capacity * (shape + chains) + (uint64_t)d->body_capacity * name;
+	return bytes + bytes / 512u + (name + chains > 0u ? 8192u : 512u);
 }
 
 static uint64_t records_bytes(const cn_world_def *d)
 {
-	static const struct { int32_t item, shift; } sizes[] = {
-		{ (int32_t)sizeof(cni_body), CNI_PAGE_BODIES }, { (int32_t)sizeof(cni_shape), CNI_PAGE_SHAPES }, { (int32_t)sizeof(cni_joint), CNI_PAGE_JOINTS },
-		{ (int32_t)sizeof(cni_proxy), CNI_PAGE_PROXIES }, { (int32_t)sizeof(cni_island), CNI_PAGE_ISLANDS }, { (int32_t)sizeof(cni_contact), CNI_PAGE_CONTACTS },
-		{ (int32_t)sizeof(cni_contact_block), CNI_PAGE_BLOCKS }, { (int32_t)sizeof(cni_block_info), CNI_PAGE_BLOCKS },
-		{ (int32_t)sizeof(cni_block_extra), CNI_PAGE_BLOCKS }, { (int32_t)sizeof(cni_block_anchor), CNI_PAGE_BLOCKS }
+	int32_t blocks = blocks_for(touching_of(d)), k;
+	const struct { int32_t item, shift, count; } tables[] = {
+		{ (int32_t)sizeof(cni_body), CNI_PAGE_BODIES, d->body_capacity }, { (int32_t)sizeof(cni_shape), CNI_PAGE_SHAPES, d->shape_capacity },
+		{ (int32_t)sizeof(cni_joint), CNI_PAGE_JOINTS, d->joint_capacity }, { (int32_t)sizeof(cni_proxy), CNI_PAGE_PROXIES, d->shape_capacity },
+		{ (int32_t)sizeof(cni_island), CNI_PAGE_ISLANDS, islands_for(d->body_capacity) }, { (int32_t)sizeof(cni_contact), CNI_PAGE_CONTACTS, d->contact_capacity },
+		{ (int32_t)sizeof(cni_contact_block), CNI_PAGE_BLOCKS, blocks }, { (int32_t)sizeof(cni_block_info), CNI_PAGE_BLOCKS, blocks },
+		{ (int32_t)sizeof(cni_block_anchor), CNI_PAGE_BLOCKS, blocks },
+		{ (int32_t)sizeof(cni_block_extra), CNI_PAGE_BLOCKS, reserves(d, CN_RESERVE_EXTRA_ROWS) ? blocks : 0 },
+		{ (int32_t)sizeof(cn_body_moved), CNI_PAGE_READBACK, reserves(d, CN_RESERVE_MOVED) ? d->body_capacity : 0 }
 	};
-	int32_t blocks = blocks_for(d->contact_capacity);
-	int32_t counts[10], k;
 	uint64_t bytes = 0;
-	counts[0] = d->body_capacity;
-	counts[1] = d->shape_capacity;
-	counts[2] = d->joint_capacity;
-	counts[3] = d->shape_capacity;
-	counts[4] = islands_for(d->body_capacity);
-	counts[5] = d->contact_capacity;
-	counts[6] = counts[7] = counts[8] = counts[9] = blocks;
-	for (k = 0; k < 10; ++k) {
+	for (k = 0; k < (int32_t)(sizeof tables / sizeof tables[0]); ++k) {
 		cni_table table;
-		cni_table_init(&table, sizes[k].item, sizes[k].shift);
-		bytes += cni_table_bytes_for(&table, counts[k]);
+		cni_table_init(&table, tables[k].item, tables[k].shift);
+		bytes += cni_table_bytes_for(&table, tables[k].count);
 	}
 	return bytes;
 }
@@ -410,30 +437,40 @@ static uint64_t handles_bytes(int32_t n)
 	return array_bytes(n, sizeof(uint32_t)) + 2u * array_bytes(n, sizeof(cni_alias));
 }
 
-static uint64_t body_arrays_bytes(int32_t n)
+static uint64_t body_arrays_bytes(const cn_world_def *d)
 {
+	int32_t n = d->body_capacity;
+	uint64_t moved = array_bytes(2 * n + 1, sizeof(cn_body_moved)) + array_bytes(n, sizeof(cni_previous));
 	return array_bytes(n + 1, sizeof(cni_motion)) + array_bytes(n + 1, sizeof(cni_velocity_start)) + array_bytes(n + 1, sizeof(cni_external)) +
-	       array_bytes(n + 1, sizeof(int32_t)) + 2u * array_bytes(2 * n, sizeof(cn_body)) + array_bytes(2 * n + 1, sizeof(cn_body_moved)) +
-	       array_bytes(n, sizeof(cni_previous)) + handles_bytes(n);
+	       array_bytes(n + 1, sizeof(int32_t)) + 2u * array_bytes(2 * n, sizeof(cn_body)) + array_bytes(CNI_HAS_DIRECT ? n / 2 : 0, sizeof(int32_t)) +
+	       (reserves(d, CN_RESERVE_MOVED) ? moved : 0u) + handles_bytes(n);
 }
 
 /* The last line is for the event arrays that users request: all events of a contact in a step except its creation, for twice as many
    contacts, because these arrays grow; half of them may have hits. */
-static uint64_t contact_arrays_bytes(int32_t n)
+static uint64_t event_arrays_bytes(int32_t n)
 {
-	return array_bytes(n, sizeof(int32_t)) + 6u * array_bytes(n, sizeof(cni_event)) + array_bytes(n, sizeof(cni_event_stay)) + array_bytes(n, sizeof(cn_contact_event)) + 2u * array_bytes(n, sizeof(cn_sensor_event)) +
-	       array_bytes(blocks_for(n), sizeof(cni_listed_block)) + array_bytes(n, sizeof(cni_sleep_lane)) + array_bytes(n, sizeof(cni_pair)) +
-	       3u * array_bytes(n, sizeof(cn_contact_event));
+	return 6u * array_bytes(n, sizeof(cni_event)) + array_bytes(n, sizeof(cni_event_stay)) + array_bytes(n, sizeof(cn_contact_event)) +
+	       2u * array_bytes(n, sizeof(cn_sensor_event)) + 3u * array_bytes(n, sizeof(cn_contact_event));
+}
+
+static uint64_t contact_arrays_bytes(int32_t contacts, int32_t touching)
+{
+	return array_bytes(contacts, sizeof(int32_t)) + array_bytes(contacts, sizeof(cni_pair)) + array_bytes(blocks_for(touching), sizeof(cni_listed_block)) +
+	       array_bytes(touching, sizeof(cni_sleep_lane));
+}
+
+static uint64_t joint_arrays_bytes(int32_t joints)
+{
+	return 2u * array_bytes(joints, sizeof(cn_joint_event)) + handles_bytes(joints) + array_bytes(joints, CNI_JOINT_CONSTRAINT_BYTES) +
+	       array_bytes(joints, sizeof(int32_t)) + array_bytes(cni_joint_blocks_for(joints), sizeof(cni_joint_block));
 }
 
 static uint64_t arrays_bytes(const cn_world_def *d)
 {
-	int32_t joints = d->joint_capacity;
-	return body_arrays_bytes(d->body_capacity) + array_bytes(d->body_capacity / 2, sizeof(int32_t)) + contact_arrays_bytes(d->contact_capacity) + handles_bytes(d->shape_capacity) +
-	       2u * array_bytes(joints, sizeof(cn_joint_event)) +
-	       handles_bytes(joints) + array_bytes(joints, CNI_JOINT_CONSTRAINT_BYTES) + array_bytes(joints, sizeof(int32_t)) +
-	       array_bytes(cni_joint_blocks_for(joints), sizeof(cni_joint_block)) +
-	       array_bytes(1, (size_t)arena_bytes(d)) + array_bytes(plan_items(d), CNI_KEPT_BYTES);
+	return body_arrays_bytes(d) + contact_arrays_bytes(d->contact_capacity, touching_of(d)) + event_arrays_bytes(events_of(d)) +
+	       handles_bytes(d->shape_capacity) + joint_arrays_bytes(d->joint_capacity) + array_bytes(1, (size_t)arena_bytes(d)) +
+	       array_bytes(plan_items(d), CNI_KEPT_BYTES);
 }
 
 cn_result cn_world_bytes_needed(const cn_world_def *def, uint64_t *out_bytes)
@@ -444,7 +481,7 @@ cn_result cn_world_bytes_needed(const cn_world_def *def, uint64_t *out_bytes)
 	if (call.result != CN_OK)
 		return call.result;
 	*out_bytes = cni_memory_rounded(sizeof(cn_world)) + records_bytes(def) + arrays_bytes(def) + pieces_bytes(def) +
-	             broadphase_choice(def->broadphase)->bytes_needed(def->shape_capacity) + 4096u;
+	             broadphase_choice(def->broadphase)->bytes_needed(def->shape_capacity) + SPARE_BYTES;
 	if (cni_team_possible(def->worker_count, def->enqueue))
 		*out_bytes += cni_memory_rounded(cni_team_bytes(def->worker_count));
 	return CN_OK;
@@ -487,6 +524,8 @@ cn_result cn_world_create(const cn_world_def *def, cn_world **out_world)
 	world->steps_max = 8;
 	settings_resolve(&world->settings, def);
 	tables_init(world);
+	world->event_capacity = events_of(def);
+	world->vertex_capacity = def->memory != NULL ? def->vertex_capacity : 0;
 	created = dummy_create(world) == CN_OK && broadphase_create(world, def->shape_capacity) == CN_OK &&
 	       reserve_records(world, def) && reserve_contacts(world, def) &&
 	       (def->memory == NULL || reserve_rest(world, def)) && team_create(world, def) == CN_OK;

@@ -95,6 +95,7 @@ void cni_check_positive(cni_call *call, const char *field, float value);
 void cni_check_range(cni_call *call, const char *field, float value, float lower, float upper);
 void cni_check_range_int(cni_call *call, const char *field, int32_t value, int32_t lower, int32_t upper);
 /* The flags of a world that this build permits. */
+#define CNI_RESERVE_ALL (uint32_t)(CN_RESERVE_NAMES | CN_RESERVE_CHAINS | CN_RESERVE_EXTRA_ROWS | CN_RESERVE_MOVED)
 #define CNI_WORLD_FLAGS \
 	(CN_WORLD_SLEEP | CN_WORLD_WARM_START | CN_WORLD_PROFILE | (CNI_HAS_CONTINUOUS ? (uint32_t)CN_WORLD_CONTINUOUS : 0u))
 /* Between two steps: within one there is no state to save and go on from. */

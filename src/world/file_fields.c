@@ -34,12 +34,12 @@ static const cni_field world_fields[] = {
 	D(memory), D(arena), D(blocks), D(team), D(settings), D(locked), D(body_handles), D(bodies), D(movable_count), D(awake_count), D(motion), D(start),
 	D(external), D(awake_id), D(awake_islands), D(step_islands), D(step_island_count), D(kicked), D(previous), D(reserved_time),
 	D(shape_handles), D(shapes), D(proxies), D(proxy_used), D(proxy_free), D(proxy_count), D(proxy_free_count), D(broadphase_ops), D(broadphase),
-	D(pairs), D(contact_used), D(contact_free), D(contact_count), D(touching_count), D(contacts), D(apart), D(blocks_hot), D(blocks_info),
+	D(pairs), D(contact_used), D(contact_free), D(contact_count), D(contacts_reporting), D(vertex_capacity), D(touching_count), D(contacts), D(apart), D(blocks_hot), D(blocks_info),
 	D(blocks_anchor), D(blocks_extra), D(block_used), D(block_free), D(colors), D(block_list), D(sleep_lanes), D(joint_handles),
 	D(constraint_count), D(joints), D(awake_joints), D(joint_work), D(joint_blocks), D(joint_colors), D(joint_lanes), D(row_blocks),
 	D(row_block_count), D(row_blocks_of), D(joint_plain_first), D(reserved_plain), D(islands), D(island_used), D(island_free), D(island_count),
 	D(reserved_islands), D(direct_islands), D(reserved_direct), D(direct_plans), D(filter), D(filter_user), D(pre_solve), D(pre_solve_user),
-	D(material_mix), D(material_mix_user), D(events), D(profile), D(areas), D(readback), D(readback_kept), D(readback_asked), D(sums), D(sums_count), D(sums_active), D(reserved_steps), D(error)
+	D(material_mix), D(material_mix_user), D(events), D(profile), D(areas), D(readback), D(readback_kept), D(readback_asked), D(sums), D(sums_count), D(sums_active), D(event_capacity), D(error)
 };
 
 /* ---- handles */

@@ -270,6 +270,7 @@ static void pools_count(cn_world *world)
 	for (k = 0; k < world->contact_used; ++k) {
 		const cni_contact *c = cni_contact_at(world, k);
 		world->contact_count += c->body[0] != CNI_NONE;
+		world->contacts_reporting += c->body[0] != CNI_NONE && cni_contact_reports(c->flags);
 		world->touching_count += c->body[0] != CNI_NONE && (c->flags & CNI_CONTACT_TOUCHING);
 	}
 	for (k = 0; k < world->island_used; ++k)
@@ -311,7 +312,7 @@ void cni_file_counts(cn_world *world, cni_file *f)
 	}
 	cni_dummy_stand(world);
 	good = cni_body_reserve(world, 0) == CN_OK && cni_lane_reserve(world, world->touching_count) && cni_contact_reserve(world, 0) == CN_OK &&
-	       cni_island_reserve(world, 0) && cni_joint_reserve(world, 0) == CN_OK;
+	       (!world->memory.fixed || cni_contact_reserve_reports(world, world->contacts_reporting)) && cni_island_reserve(world, 0) && cni_joint_reserve(world, 0) == CN_OK;
 	if (!good)
 		cni_file_fail(f, CN_ERROR_MEMORY);
 }

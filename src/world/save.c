@@ -53,7 +53,7 @@ static header header_of(const cn_world *world, uint64_t state_bytes)
 	memset(&h, 0, sizeof h);
 	h.magic = MAGIC;
 	h.broadphase = world->settings.broadphase;
-	h.fixed = world->memory.fixed;
+	h.fixed = world->vertex_capacity; /* 0: not fixed */
 	h.length_unit = world->settings.length_unit;
 	h.layout = cni_world_layout();
 	h.bytes = sizeof h + state_bytes;

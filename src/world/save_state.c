@@ -24,7 +24,7 @@ static const member state_members[] = {
 	MEMBER(user_data), MEMBER(settings), MEMBER(step_count), MEMBER(step_dt), MEMBER(mean_dt), MEMBER(overridden),
 	MEMBER(movable_count), MEMBER(awake_count), MEMBER(fixed_step), MEMBER(time_owed), MEMBER(steps_max),
 	MEMBER(proxy_used), MEMBER(proxy_free), MEMBER(proxy_count), MEMBER(proxy_free_count), MEMBER(pairs_may_repeat),
-	MEMBER(seams_changed), MEMBER(seams_box), MEMBER(contact_used), MEMBER(contact_free), MEMBER(contact_count), MEMBER(touching_count),
+	MEMBER(seams_changed), MEMBER(seams_box), MEMBER(contact_used), MEMBER(contact_free), MEMBER(contact_count), MEMBER(contacts_reporting), MEMBER(touching_count),
 	MEMBER(block_used), MEMBER(block_free), MEMBER(colors), MEMBER(constraint_count), MEMBER(stressed_joints),
 	MEMBER(island_used), MEMBER(island_free), MEMBER(island_count), MEMBER(split_step), MEMBER(joints_soft_step), MEMBER(settled),
 	MEMBER(piles_new), MEMBER(masses_estimated), MEMBER(estimated), MEMBER(piles_unheld), MEMBER(solvers_asked), MEMBER(direct_work), MEMBER(direct_failed), MEMBER(cone_work),
@@ -41,12 +41,12 @@ static const member passed_members[] = {
 
 /* Memory, scratch, caches, what stays the world's own. */
 static const member other_members[] = {
-	MEMBER(memory), MEMBER(arena), MEMBER(team), MEMBER(locked), MEMBER(awake_islands), MEMBER(step_islands), MEMBER(step_island_count),
+	MEMBER(memory), MEMBER(vertex_capacity), MEMBER(arena), MEMBER(team), MEMBER(locked), MEMBER(awake_islands), MEMBER(step_islands), MEMBER(step_island_count),
 	MEMBER(reserved_time), MEMBER(broadphase_ops), MEMBER(pairs), MEMBER(block_list), MEMBER(joint_work), MEMBER(joint_blocks),
 	MEMBER(joint_colors), MEMBER(joint_lanes), MEMBER(row_blocks), MEMBER(row_block_count), MEMBER(row_blocks_of), MEMBER(joint_plain_first),
 	MEMBER(reserved_plain), MEMBER(direct_plans), MEMBER(filter), MEMBER(filter_user), MEMBER(pre_solve), MEMBER(pre_solve_user),
 	MEMBER(material_mix), MEMBER(material_mix_user), MEMBER(profile), MEMBER(error), MEMBER(readback), MEMBER(readback_kept), MEMBER(readback_asked),
-	MEMBER(sums), MEMBER(sums_count), MEMBER(sums_active), MEMBER(reserved_steps), MEMBER(reserved_islands), MEMBER(reserved_direct), MEMBER(bodies_stopped)
+	MEMBER(sums), MEMBER(sums_count), MEMBER(sums_active), MEMBER(event_capacity), MEMBER(reserved_islands), MEMBER(reserved_direct), MEMBER(bodies_stopped)
 };
 
 #define COUNT_OF(list) ((int32_t)(sizeof(list) / sizeof((list)[0])))
@@ -58,11 +58,12 @@ static void rooms_pass(cn_world *world, cni_snapshot *s)
 {
 	int32_t movable = cni_snapshot_number(s, world->movable_count), contacts = cni_snapshot_number(s, world->contact_count);
 	int32_t lanes = cni_snapshot_number(s, world->touching_count), islands = cni_snapshot_number(s, world->island_count);
-	int32_t joints = cni_snapshot_number(s, world->joint_handles.count);
+	int32_t joints = cni_snapshot_number(s, world->joint_handles.count), reporting = cni_snapshot_number(s, world->contacts_reporting);
 	if (!cni_snapshot_reserves(s))
 		return;
 	cni_snapshot_need(s, cni_body_reserve(world, movable - world->movable_count) == CN_OK && cni_lane_reserve(world, lanes) &&
 	                             cni_contact_reserve(world, contacts - world->contact_count) == CN_OK &&
+	                             (!world->memory.fixed || cni_contact_reserve_reports(world, reporting)) &&
 	                             cni_island_reserve(world, islands - world->island_count) &&
 	                             cni_joint_reserve(world, joints - world->joint_handles.count) == CN_OK);
 }

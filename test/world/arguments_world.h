@@ -53,6 +53,10 @@ static void bad_world_defs(cn_result (*call)(const cn_world_def *))
 	INTEGER(x, -1, INT32_MAX, call(WD(contact_capacity, x)));
 	INTEGER(x, -1, CN_MAX_HANDLES + 1, call(WD(joint_capacity, x)));
 	INTEGER(x, -1, CN_WORKERS_MAX + 1, call(WD(worker_count, x)));
+	INTEGER(x, -2, INT32_MAX, call(WD(touching_capacity, x)));
+	INTEGER(x, -2, INT32_MAX, call(WD(event_capacity, x)));
+	INTEGER(x, 2, CN_POLYGON_MAX_VERTICES + 1, call(WD(vertex_capacity, x)));
+	FLAGS(x, 4, call(WD(reserve, x)));
 	ARG(call(WD(enqueue, test_enqueue)));
 	ARG(call(WD(finish, test_finish)));
 	ARG(call(WD(alloc, test_alloc)));

@@ -49,6 +49,7 @@ static const row rows[] = {
 	WF(linear_speed_max_mps, CN_DEFAULT, ZERO_IS_REFUSED, 800.0), WF(angular_speed_max_radps, 400.0, ZERO_IS_REFUSED, 0.0),
 	WF(sleep_speed_mps, CN_DEFAULT, ZERO_IS_STORED, 0.1), WF(sleep_delay_s, 0.5, ZERO_IS_STORED, 0.0), WI(body_capacity, 0, ZERO_IS_NONE),
 	WI(shape_capacity, 0, ZERO_IS_NONE), WI(contact_capacity, 0, ZERO_IS_NONE), WI(joint_capacity, 0, ZERO_IS_NONE), WI(worker_count, 0, ZERO_IS_NONE),
+	WI(touching_capacity, CN_DEFAULT, ZERO_IS_NONE), WI(event_capacity, CN_DEFAULT, ZERO_IS_NONE), WI(vertex_capacity, CN_POLYGON_MAX_VERTICES, ZERO_IS_REFUSED),
 	WF(hit_speed_mps, CN_DEFAULT, ZERO_IS_STORED, 2.0),
 	BI(type, CN_BODY_DYNAMIC, ZERO_IS_STORED), BF(angle_rad, 0.0, ZERO_IS_STORED, 0.0), BF(angular_velocity_radps, 0.0, ZERO_IS_STORED, 0.0),
 	BF(linear_damping_per_s, 0.0, ZERO_IS_STORED, 0.0), BF(angular_damping_per_s, 0.0, ZERO_IS_STORED, 0.0), BF(gravity_scale, 1.0, ZERO_IS_STORED, 0.0),

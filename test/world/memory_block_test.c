@@ -429,6 +429,70 @@ static void every_capacity_is_kept(void)
 	CHECK_LE("blocks written outside of", written, 0, "");
 }
 
+/* Forty boxes, every one with all events, of which ten pairs may report. */
+static cn_world_def lean_def(void)
+{
+	cn_world_def def = fixed_def(41, 41, 200, 0);
+	def.solver = CN_SOLVER_SOFT;
+	def.touching_capacity = 120;
+	def.event_capacity = 10;
+	def.vertex_capacity = 4;
+	def.reserve = 0;
+	return def;
+}
+
+static void lean_fill(cn_world *world, cn_body *bodies)
+{
+	int32_t k;
+	fixture_floor(world, 0.6f, 0.0f);
+	for (k = 0; k < 40; ++k)
+		bodies[k] = fixture_box(world, CN_BODY_DYNAMIC, 1.05f * (float)(k % 8) + 0.1f * (float)(k / 8), 0.5f + 1.05f * (float)(k / 8), 0.0f, 0.5f, 0.5f, 0.6f, 0.0f);
+}
+
+/* ENTER less LEAVE so far; the pairs of the default event mask. */
+static int32_t lean_events(cn_world *world, int32_t *entered)
+{
+	const cn_contact_event *list;
+	int32_t enter = 0, leave = 0;
+	must(cn_world_contact_events(world, CN_EVENT_ENTER, &list, &enter), world, "cn_world_contact_events");
+	must(cn_world_contact_events(world, CN_EVENT_LEAVE, &list, &leave), world, "cn_world_contact_events");
+	*entered += enter;
+	return enter - leave;
+}
+
+/* Capacities of events change no motion, every ENTER that is reported has its LEAVE, and destroying bodies never lacks memory. */
+static void lean_blocks_keep_motion_and_ends(void)
+{
+	cn_world_def capacities = lean_def(), whole = fixed_def(41, 41, 200, 0);
+	fixed_block block, other;
+	cn_world *world = fixed_world(&capacities, &block), *full;
+	cn_body bodies[40], full_bodies[40];
+	int32_t k, differs = 0, open = 0, entered = 0, silent = 0;
+	whole.solver = CN_SOLVER_SOFT;
+	full = fixed_world(&whole, &other);
+	lean_fill(world, bodies);
+	lean_fill(full, full_bodies);
+	for (k = 0; k < 200; ++k) {
+		fixture_step(world, 1);
+		fixture_step(full, 1);
+		open += lean_events(world, &entered);
+		silent += fixture_counters(world).events_not_reported;
+		differs += fixture_hash(world) != fixture_hash(full);
+	}
+	must(cn_body_destroy_many(world, bodies, 40), world, "cn_body_destroy_many");
+	fixture_step(world, 1);
+	open += lean_events(world, &entered);
+	printf("  block of %llu bytes, with default capacities %llu\n", (unsigned long long)block.bytes, (unsigned long long)other.bytes);
+	CHECK_LE("steps that differ from a world with room for all events", differs, 0, "");
+	CHECK_GE("ENTER events", entered, 5, "");
+	CHECK_GE("pairs and events not reported", silent, 20, "");
+	CHECK(open == 0);
+	CHECK_LE("bytes, of those with default capacities", (double)block.bytes / (double)other.bytes, 0.6, "");
+	cn_world_destroy(world);
+	cn_world_destroy(full);
+	CHECK_LE("bytes written outside of the blocks", block_close(&block) + block_close(&other), 0, "bytes");
+}
+
 /* A block of any size either makes a world that keeps its promises or is refused. */
 static void small_blocks_are_refused(void)
 {
@@ -591,6 +655,7 @@ int main(int argc, char **argv)
 	RUN(slots_never_wear_out);
 	RUN(every_shape_may_take_every_size);
 	RUN(every_capacity_is_kept);
+	RUN(lean_blocks_keep_motion_and_ends);
 	RUN(small_blocks_are_refused);
 	RUN(contacts_beyond_capacity_are_counted);
 	RUN(refused_pairs_take_no_room);

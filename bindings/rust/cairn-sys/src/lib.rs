@@ -83,6 +83,10 @@ pub const CN_WORLD_SLEEP: u32 = 1;
 pub const CN_WORLD_WARM_START: u32 = 2;
 pub const CN_WORLD_PROFILE: u32 = 4;
 pub const CN_WORLD_CONTINUOUS: u32 = 8;
+pub const CN_RESERVE_NAMES: u32 = 1;
+pub const CN_RESERVE_CHAINS: u32 = 2;
+pub const CN_RESERVE_EXTRA_ROWS: u32 = 4;
+pub const CN_RESERVE_MOVED: u32 = 8;
 pub const CN_SOLVER_AUTO: i32 = 0;
 pub const CN_SOLVER_SOFT: i32 = 1;
 pub const CN_SOLVER_DIRECT: i32 = 2;
@@ -410,6 +414,17 @@ pub struct cn_world_def {
     pub worker_count: i32,
     /// blows at least this fast are reported by CN_EVENT_HIT, >= 0; CN_DEFAULT (default): 1 x length unit
     pub hit_speed_mps: f32,
+    /// Of a world in one block (memory); others ignore them. pairs that touch at once, >= 0; further ones do
+    /// not collide: CN_WARNING_CONTACT_MEMORY; CN_DEFAULT (default): contact_capacity
+    pub touching_capacity: i32,
+    /// pairs that report events (event_mask of a shape, sensors), >= 0; further ones report none, which
+    /// cn_counters.events_not_reported counts; CN_DEFAULT (default): contact_capacity
+    pub event_capacity: i32,
+    /// vertices of a polygon, 3 to CN_POLYGON_MAX_VERTICES; larger ones take what is left of the block;
+    /// default CN_POLYGON_MAX_VERTICES
+    pub vertex_capacity: i32,
+    /// CN_RESERVE_*: what else the block has room for; the rest takes what is left of it; default all
+    pub reserve: u32,
 }
 impl Default for cn_world_def {
     fn default() -> Self {
@@ -418,7 +433,7 @@ impl Default for cn_world_def {
         value
     }
 }
-const _: () = assert!(core::mem::size_of::<cn_world_def>() == 160 || core::mem::size_of::<usize>() != 8);
+const _: () = assert!(core::mem::size_of::<cn_world_def>() == 176 || core::mem::size_of::<usize>() != 8);
 
 /// Counts of objects, and problems of the last step.
 #[repr(C)]
