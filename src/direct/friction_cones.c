@@ -432,6 +432,7 @@ int32_t cni_direct_contacts_cone(const cni_direct_contact_pass *pass, int32_t *o
 	float change = FLT_MAX;
 	if (pass->world->settings.solver == CN_SOLVER_DIRECT)
 		q.factors_most = CNI_CONE_FACTORS_DIRECT;
+	pass->c->regular = CNI_REGULARIZATION_CONTACTS;
 	warm_start(&q);
 	for (round = 0; good && round < CNI_CONE_SLIP_ROUNDS && change > CNI_CONE_SLIP_CLOSE * pass->speed_least; ++round) {
 		center(&q);
