@@ -125,7 +125,7 @@ CNI_TUNING_FLOAT(CNI_REGULARIZATION_CONTACTS, 1e-4f)
 /* The same where a pass starts from the impulses of the last one. Redundant rows answer to a speed within the tolerance with impulses of
    this speed times their mass over the regularization: with 1e-4 more than their weights, and a wall that no set fits needed a new solution
    of its friction cones every 7 steps. With 1e-2 towers of 16 boxes swayed by 13 mm. */
-CNI_TUNING_FLOAT(CNI_REGULARIZATION_WARM, 1e-3f)
+CNI_TUNING_FLOAT(CNI_REGULARIZATION_WARM, 3e-3f)
 /* The same of loops of joints alone, whose solutions are checked. */
 CNI_TUNING_FLOAT(CNI_REGULARIZATION_LOOPS, 5e-5f)
 /* Factor on the regularization of a system that is still nearly singular. */
@@ -178,6 +178,8 @@ CNI_TUNING_COUNT(CNI_CONTACT_SET_ROUNDS_ALL, 6)
 CNI_TUNING_COUNT(CNI_CONTACT_SET_ROUNDS_WARM, 4)
 /* Solutions with one factorization. */
 CNI_TUNING_COUNT(CNI_CONTACT_SET_REFINEMENTS, 3)
+/* The same of a pass that starts from the impulses of the last one: its regularization is larger, and most passes need none. */
+CNI_TUNING_COUNT(CNI_CONTACT_SET_REFINEMENTS_WARM, 16)
 /* Part of an overlap that is pushed apart in a substep: little, because all points of a pile are pushed at once. */
 CNI_TUNING_FLOAT(CNI_CONTACT_SET_PUSH_RATE, 0.1f)
 /* Length units. A smaller gap or overlap is rounding of positions. Redundant rows would react to rounding with impulses of any size. */
