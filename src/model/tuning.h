@@ -92,6 +92,8 @@ CNI_TUNING_FLOAT(CNI_PRELOAD_REGULARIZATION, 1e-5f)
 CNI_TUNING_FLOAT(CNI_PRELOAD_RESIDUAL_GOOD, 1e-3f)
 /* Own weights. With a larger residual the body's preload is not used. */
 CNI_TUNING_FLOAT(CNI_PRELOAD_RESIDUAL_MAX, 0.05f)
+/* Part of the half width of its supports by which the load of a leaning body is off their middle. */
+CNI_TUNING_FLOAT(CNI_PRELOAD_LEANING_PART, 0.25f)
 
 /* ---------------------------------------------------------------- narrowphase */
 
