@@ -286,9 +286,12 @@ static int32_t cone_debt(const cni_direct_contact_pass *q)
 	return passed <= (uint32_t)(spent / CNI_CONE_REFILL) ? spent - (int32_t)passed * CNI_CONE_REFILL : 0;
 }
 
-/* 1: the interior-point method may run. Once admitted in a step it may run in all substeps, as long as the island's debt allows. */
+/* 1: the interior-point method may run. Once admitted in a step it may run in all substeps, as long as the island's debt allows. A relax pass
+   takes out the speed of the pushes that the pass before it has made, whatever is owed. */
 static int32_t cone_is_admitted(const cni_direct_contact_pass *q)
 {
+	if (!q->bias && q->c->cone_admitted)
+		return 1;
 	if (q->world->settings.solver == CN_SOLVER_AUTO) {
 		if (was_moving(q) || cone_debt(q) > CNI_CONE_DEBT)
 			return 0;

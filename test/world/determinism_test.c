@@ -26,7 +26,7 @@ typedef struct golden {
 static const golden goldens[] = {
 	{ "falling_hinges", 480, 1, 0x4b579e3afd4e87f8 },
 	{ "small_200", 300, 1, 0x99687cd66f942d79 },
-	{ "small_50_sleep", 600, 1, 0x11c800c52c664910 },
+	{ "small_50_sleep", 600, 1, 0xd9998c458ebe77d9 },
 	{ "dominoes", 400, 1, 0xbbe78ce4095ea234 },
 	{ "ragdolls", 480, 1, 0xe91443aa6e9f3b34 },
 	{ "bridge", 240, 1, 0xe53a6b99c5fb4d17 },
