@@ -29,7 +29,8 @@ void cni_impulse_sums_strike(cn_world *world, int32_t contact, float normal, flo
 void cni_impulse_sums_report(cn_world *world);
 /* Sets impulses and loads of new piles that are too large for the direct solver. Runs before the warm start. */
 void cni_gravity_preload(cn_world *world, const cni_solve *s);
-/* Returns 1 if every body of a quiet island is held by bodies below it, 0 if bodies lean on each other. */
+/* Returns 1 if every body of a quiet island is held by bodies below it, 0 if bodies lean on each other or bear far from the middle of their
+   supports. */
 int32_t cni_pile_is_supported(cn_world *world, int32_t island, float h);
 /* Bytes of frame memory that cni_gravity_preload or cni_pile_is_supported may take. */
 uint64_t cni_gravity_preload_bytes(int32_t bodies);

@@ -57,6 +57,7 @@ typedef struct pile {
 	uint64_t *order;         /* highest first */
 	int32_t count;
 	int32_t stressed;        /* some contact bears more than soft contacts can */
+	int32_t leans;           /* some body bears its load far from the middle of its supports */
 	float h;                 /* of a substep */
 	float weight_speed;      /* speed that gravity gives in it */
 	float warm_scale;        /* of the step's warm start */
@@ -269,6 +270,24 @@ static void lanes_write(pile *q, const balance *b)
 	}
 }
 
+/* 1: the resultant of the normal impulses is far from the middle of the points: the soft solver's fluctuations lift the lighter side. */
+static int32_t is_leaning(const balance *b)
+{
+	float from = FLT_MAX, to = -FLT_MAX, sum = 0.0f, turn = 0.0f;
+	int32_t k, i;
+	for (k = 0; k < b->count; ++k)
+		for (i = 0; i < 2; ++i) {
+			const support *p = &b->supports[k];
+			if (p->lanes->p[i].nm[p->lane] <= 0.0f)
+				continue;
+			from = cni_min(from, p->rows[i].turn);
+			to = cni_max(to, p->rows[i].turn);
+			sum += p->rows[i].impulse;
+			turn += p->rows[i].impulse * p->rows[i].turn;
+		}
+	return cni_abs(2.0f * turn - (from + to) * sum) > CNI_PRELOAD_LEANING_PART * (to - from) * sum;
+}
+
 /* 0: some body has no sufficient support. */
 static int32_t pile_solve(pile *q, int32_t write)
 {
@@ -287,6 +306,7 @@ static int32_t pile_solve(pile *q, int32_t write)
 		b.wanted[2] = scale * w->turn;
 		if (m->inv_mass == 0.0f || !supports_collect(q, index, scale, &b) || !balance_solve(&b, q->weight_speed / m->inv_mass))
 			return 0;
+		q->leans |= is_leaning(&b);
 		supports_load(q, &b);
 		if (write)
 			lanes_write(q, &b);
@@ -410,7 +430,7 @@ int32_t cni_pile_is_supported(cn_world *world, int32_t island, float h)
 	if (pile_begin(&q, world, h, 1.0f)) {
 		order_find(&q, island);
 		weights_begin(&q);
-		stands = pile_solve(&q, 0);
+		stands = pile_solve(&q, 0) && !q.leans;
 	}
 	pile_end(&q);
 	return stands;

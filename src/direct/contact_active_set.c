@@ -221,25 +221,24 @@ static void velocities_push(const cni_direct_contact_pass *q)
 	}
 }
 
-/* Iterative refinement, because the diagonal is larger than the true one. 0: no finite solution. */
-static int32_t active_rows_solve(const cni_direct_contact_pass *q)
+/* Iterative refinement, because the diagonal is larger than the true one. The impulses of the last pass may leave nothing to solve. 0: no
+   finite solution. */
+int32_t cni_direct_contact_system_solve(const cni_direct_contact_pass *q)
 {
-	int32_t k;
-	for (k = 0; k < CNI_CONTACT_SET_REFINEMENTS && (right_sides(q) > 0.5f * q->speed_least || k == 0); ++k) {
+	float regular = q->warm ? CNI_REGULARIZATION_WARM : CNI_REGULARIZATION_CONTACTS;
+	int32_t rounds = q->warm ? CNI_CONTACT_SET_REFINEMENTS_WARM : CNI_CONTACT_SET_REFINEMENTS, k;
+	if (set_apply(q) || q->c->regular != regular)
+		q->c->factored = 0;
+	q->c->regular = regular;
+	for (k = 0; k < rounds && (right_sides(q) > 0.5f * q->speed_least || (k == 0 && !q->warm)); ++k) {
+		if (!q->c->factored)
+			cni_sparse_factor(q->sparse, q->c, q->motions);
+		q->c->factored = 1;
 		if (!cni_sparse_solve(q->sparse, q->c))
 			return 0;
 		velocities_push(q);
 	}
 	return 1;
-}
-
-int32_t cni_direct_contact_system_solve(const cni_direct_contact_pass *q)
-{
-	if (set_apply(q) || !q->c->factored) {
-		cni_sparse_factor(q->sparse, q->c, q->motions);
-		q->c->factored = 1;
-	}
-	return active_rows_solve(q);
 }
 
 /* ---- the set ---- */

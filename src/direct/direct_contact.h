@@ -19,7 +19,8 @@
  * most need less than this in all: its contacts are found once, and their sets hold from then on. A heap that goes on moving would take
  * as much in every step, and is no better for it than soft constraints make it.
  */
-#define CNI_CONE_WORK 50000
+#define CNI_CONE_WORK 200000
+#define CNI_CONE_PASS_WORK 100000 /* most of one pass, but for CNI_CONE_FACTORS_LEAST: large walls take 5 to 20, heaps that settle 40 to 60 */
 #define CNI_CONE_DEBT 12000
 #define CNI_CONE_REFILL 24
 #define CNI_CONE_FACTORS 30 /* that are set aside for a pass */

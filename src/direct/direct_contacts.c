@@ -49,6 +49,17 @@ static void state_save(const cni_direct_contact_pass *q, int32_t restore)
 	}
 }
 
+/* Before the first pass of a step: impulses of the last step for this one's length of a substep. */
+static void impulses_scale(const cni_direct_contact_pass *q)
+{
+	int32_t k, i;
+	for (k = q->c->begin; k < q->c->end; ++k) {
+		cni_direct_contact *p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k]);
+		for (i = 0; p != NULL && p->untouched && i < 3; ++i)
+			p->j[i] = q->s->warm_scale * p->first[i];
+	}
+}
+
 /* Part of a contact's impulses that gives the lighter body at most the speed of CNI_DIRECT_SOFT_STRESS of its weights. The soft
    solver crushes such a body from any start, and throws a light body when the contacts on both sides of it do not cancel any more. */
 static float soft_part(const cni_direct_contact_pass *q, const cni_direct_contact *p, const cni_node *n)
@@ -275,9 +286,12 @@ static int32_t cone_debt(const cni_direct_contact_pass *q)
 	return passed <= (uint32_t)(spent / CNI_CONE_REFILL) ? spent - (int32_t)passed * CNI_CONE_REFILL : 0;
 }
 
-/* 1: the interior-point method may run. Once admitted in a step it may run in all substeps, as long as the island's debt allows. */
+/* 1: the interior-point method may run. Once admitted in a step it may run in all substeps, as long as the island's debt allows. A relax pass
+   takes out the speed of the pushes that the pass before it has made, whatever is owed. */
 static int32_t cone_is_admitted(const cni_direct_contact_pass *q)
 {
+	if (!q->bias && q->c->cone_admitted)
+		return 1;
 	if (q->world->settings.solver == CN_SOLVER_AUTO) {
 		if (was_moving(q) || cone_debt(q) > CNI_CONE_DEBT)
 			return 0;
@@ -331,6 +345,7 @@ int32_t cni_direct_contacts_solve(cn_world *world, const cni_solve *s, cni_spars
 	if (!bias && c->nothing_pushed)
 		return 1;
 	q.island = cni_island_at(world, cni_awake_island(world, sparse->bodies[c->body_begin]));
+	impulses_scale(&q);
 	state_save(&q, 0);
 	cni_direct_contact_round_begin(&q);
 	q.before = energy_of_start(&q);

@@ -425,13 +425,19 @@ static float slips_find(const cone *q)
 	return most;
 }
 
+static int32_t factors_most(const cni_direct_contact_pass *pass)
+{
+	if (pass->world->settings.solver == CN_SOLVER_DIRECT)
+		return CNI_CONE_FACTORS_DIRECT;
+	return cni_max_i(cni_min_i(CNI_CONE_FACTORS_MAX, CNI_CONE_PASS_WORK / cni_cone_factor_work(pass->c)), CNI_CONE_FACTORS_LEAST);
+}
+
 int32_t cni_direct_contacts_cone(const cni_direct_contact_pass *pass, int32_t *out_factors)
 {
-	cone q = { pass, pass->sparse, pass->c, 0, 0, CNI_CONE_FACTORS_MAX, 0.0f, 0.0f, 0.0f };
+	cone q = { pass, pass->sparse, pass->c, 0, 0, factors_most(pass), 0.0f, 0.0f, 0.0f };
 	int32_t good = 1, round;
 	float change = FLT_MAX;
-	if (pass->world->settings.solver == CN_SOLVER_DIRECT)
-		q.factors_most = CNI_CONE_FACTORS_DIRECT;
+	pass->c->regular = CNI_REGULARIZATION_CONTACTS;
 	warm_start(&q);
 	for (round = 0; good && round < CNI_CONE_SLIP_ROUNDS && change > CNI_CONE_SLIP_CLOSE * pass->speed_least; ++round) {
 		center(&q);
