@@ -887,7 +887,7 @@ static const arch_scene arch_scenes[ARCH_SCENES] = {
 	{ "shapes", scene_shapes, 0x44d7928ce0b463cb },
 	{ "joints", scene_joints, 0x34667f0b76257ab0 },
 	{ "direct", scene_direct, 0xacffcfa43bd59ab2 },
-	{ "tiers", scene_tiers, 0x0e6d3a0f159ee249 },
+	{ "tiers", scene_tiers, 0xcc427479981edfc4 },
 	{ "sequential", scene_sequential, 0x14673e5a64320f7c },
 	{ "queries", scene_queries, 0xcde4b304cea406b2 },
 	{ "events", scene_events, 0x682da2be65bc6f8c },
