@@ -303,9 +303,11 @@ static int32_t cone_is_admitted(const cni_direct_contact_pass *q)
 	return 1;
 }
 
-static void cone_pay(const cni_direct_contact_pass *q, int32_t factors)
+/* A failed attempt costs more than its work: in a heap that settles the next one would mostly fail too. */
+static void cone_pay(const cni_direct_contact_pass *q, int32_t factors, int32_t good)
 {
-	q->island->cone_spent = cone_debt(q) + factors * cni_cone_factor_work(q->c) / (q->c->end - q->c->begin);
+	int32_t work = factors * cni_cone_factor_work(q->c) / (q->c->end - q->c->begin);
+	q->island->cone_spent = cone_debt(q) + (good ? work : CNI_CONE_FAILED + work);
 	q->island->cone_paid_step = q->world->step_count;
 }
 
@@ -318,7 +320,7 @@ static int32_t cone_solve(cni_direct_contact_pass *q)
 	q->warm = 0;
 	cni_direct_contact_round_begin(q);
 	good = cni_direct_contacts_cone(q, &factors);
-	cone_pay(q, factors);
+	cone_pay(q, factors, good);
 	if (!good || !energy_fits(q))
 		return 0;
 	q->warm = 1;
