@@ -38,6 +38,7 @@
 	X(FLIGHT)           /* free bodies take the whole step at once */ \
 	X(EXACT_SPRINGS)    /* springs with the true period and decay */ \
 	X(MEAN_STEP)        /* stiffness tied to the mean step */ \
+	X(HARDENING)        /* contacts harden with depth */ \
 	X(REST)             /* early rest: islands at rest take one substep */ \
 	X(FOLLOW)           /* manifold reuse: contacts that hardly moved are updated in their lanes */ \
 	X(SIFT)             /* culling of separated pairs, four at a time */ \

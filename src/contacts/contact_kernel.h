@@ -13,6 +13,8 @@
  * largest pile; see CNI_LOAD_RATE in model/solve.h. Between settled bodies the load does not rise: rising loads would press
  * wedged bodies ever harder, until one slips.
  *
+ * Contacts harden with depth, as the loads of a moving crowd change faster than a mean can follow; see step/solve_make.c.
+ *
  * Reads motion, start and block rows; writes motion velocities and block.jn, jt, load.
  */
 #include "base/wide.h"
@@ -83,20 +85,32 @@ CNI_INLINE cni_wide point_separation(const cni_contact_block *k, const cni_conta
 	return cni_wide_load(p->s0 + l) + nx * (b->x - a->x) + ny * (b->y - a->y) + (b->c1 * bn + b->s * bt) - (a->c1 * an + a->s * at);
 }
 
+/* 0 to 1: how far the point hardens. Contacts of a crushed crowd stay soft: the stiffer they are, the faster it bursts apart. m: the larger
+   inverse mass. */
+CNI_INLINE cni_wide hardness(const cni_contact_pass *pass, cni_wide s, cni_wide jn, cni_wide m)
+{
+	cni_wide deep = cni_wide_min(cni_wide_max(pass->deep_from - pass->deep_rate * s, cni_wide_of(0.0f)), cni_wide_of(1.0f));
+	cni_wide crush = pass->crush_rate * jn * m;
+	return deep / (1.0f + crush * crush);
+}
+
 /* bias: 1 the soft pass, 0 the rigid relax pass. bounces: restitution of the block's lanes, NULL: none. */
 CNI_INLINE point point_prepare(const cni_contact_block *k, const cni_contact_row *p, int32_t l, const side *a, const side *b, const cni_contact_pass *pass, int32_t bias, const float *bounces)
 {
 	point q;
 	cni_wide nx = cni_wide_load(k->nx + l), ny = cni_wide_load(k->ny + l), nm = cni_wide_load(p->nm + l), s = point_separation(k, p, l, a, b);
-	cni_wide vn, soft_push, push, scale, part;
+	cni_wide vn, deep, mass_scale, bias_scale, soft_push, push, scale, part;
 	const cni_wide zero = cni_wide_of(0.0f), one = cni_wide_of(1.0f);
 	q.at = cni_wide_load(p->at + l);
 	q.bt = q.at - cni_wide_load(k->dt + l);
 	q.old = cni_wide_load(p->jn + l);
 	vn = nx * (b->vx - a->vx) + ny * (b->vy - a->vy) + b->w * q.bt - a->w * q.at;
-	soft_push = bias ? cni_wide_max(pass->soft.bias_scale * s, cni_wide_of(-pass->push_speed * pass->soft.mass_scale)) : zero;
+	deep = bias ? hardness(pass, s, q.old, cni_wide_max(a->m, b->m)) : zero;
+	mass_scale = pass->soft.mass_scale + (pass->deep.mass_scale - pass->soft.mass_scale) * deep;
+	bias_scale = pass->soft.bias_scale + (pass->deep.bias_scale - pass->soft.bias_scale) * deep;
+	soft_push = bias ? cni_wide_max(bias_scale * s, -pass->push_speed * mass_scale) : zero;
 	push = cni_wide_select(s > zero, s * pass->inv_h, soft_push);
-	scale = bias ? cni_wide_select(s > zero, one, cni_wide_of(pass->soft.mass_scale)) : one;
+	scale = bias ? cni_wide_select(s > zero, one, mass_scale) : one;
 	q.m = scale * nm;
 	q.target = scale * q.old - nm * (scale * vn + push);
 	if (bias && CNI_ON(LOADS))

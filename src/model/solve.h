@@ -33,6 +33,10 @@ typedef struct cni_contact_pass {
 	float load_part;     /* part of its difference to the impulse by which a load changes in this step */
 	float load_heavy;    /* limit of that part: this over the square of the speed that the impulse gives, see CNI_LOAD_HEAVY */
 	cni_soft soft;
+	cni_soft deep;       /* at an overlap of CNI_DEEP_SLOPS slops and more; between that and one slop the coefficients are interpolated */
+	float deep_rate;     /* 1/m: the inverse of the length over which they are, */
+	float deep_from;     /* the part of this length at which that begins */
+	float crush_rate;    /* s/m: the inverse of the speed, given by an impulse, at which a point hardens half */
 	int32_t one_sided;   /* lane bodies b are not written */
 } cni_contact_pass;
 

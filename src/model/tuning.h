@@ -51,6 +51,10 @@ CNI_TUNING_FLOAT(CNI_LOAD_RATE, 0.6f)
 /* Limit of the part by which they follow in a substep, times h stress^2; see model/solve.h. A pyramid of base 100 (stress 25) comes
    to rest at 0.1 and sways on at 0.3. */
 CNI_TUNING_FLOAT(CNI_LOAD_HEAVY, 0.1f)
+/* Slops. Overlap from which a contact has twice its frequency; see step/solve_make.c. */
+CNI_TUNING_FLOAT(CNI_DEEP_SLOPS, 3.0f)
+/* Length units per second squared, about 50 weights. A contact that gives the lighter body this acceleration hardens half. */
+CNI_TUNING_FLOAT(CNI_CRUSH_ACCELERATION, 480.0f)
 /* Part of the accuracy. A larger overlap or gap is bad. A component whose joints contacts would open by more than this part of the
    accuracy in a substep is projected before positions move. */
 CNI_TUNING_FLOAT(CNI_BAD_PART, 0.1f)

@@ -884,14 +884,14 @@ typedef struct arch_scene {
 
 #define ARCH_SCENES 8
 static const arch_scene arch_scenes[ARCH_SCENES] = {
-	{ "shapes", scene_shapes, 0x44d7928ce0b463cb },
-	{ "joints", scene_joints, 0x34667f0b76257ab0 },
-	{ "direct", scene_direct, 0xacffcfa43bd59ab2 },
-	{ "tiers", scene_tiers, 0xcc427479981edfc4 },
+	{ "shapes", scene_shapes, 0x013c99c8a94b5923 },
+	{ "joints", scene_joints, 0x57a746ac8a36cddf },
+	{ "direct", scene_direct, 0x3b20c2ed6e0725d5 },
+	{ "tiers", scene_tiers, 0xadf16f02a86d3171 },
 	{ "sequential", scene_sequential, 0x14673e5a64320f7c },
-	{ "queries", scene_queries, 0xcde4b304cea406b2 },
-	{ "events", scene_events, 0x682da2be65bc6f8c },
-	{ "file", scene_file, 0xe1a2180e1ee85a48 },
+	{ "queries", scene_queries, 0x9078b2fad7e8282c },
+	{ "events", scene_events, 0x591c1ec096b3553a },
+	{ "file", scene_file, 0x01f309d2ed515042 },
 };
 
 /* The number of a scene; 0 if a call failed: arch_failed_line. */

@@ -505,6 +505,33 @@ static void a_crowd_that_is_struck_is_held_apart(void)
 	cn_world_destroy(world);
 }
 
+/* A drum turns with boxes in it, 26 deep. A soft contact sinks by the weight of all above; loads are too slow for a crowd that moves. */
+static void a_crowd_that_tumbles_does_not_sink(void)
+{
+	enum { SIDE = 26, CROWD = SIDE * SIDE, STEPS = 240, FIRST = 120 };
+	cn_world *world = fixture_world(-30.0f, 0);
+	cn_body bodies[CROWD], drum = fixture_body(world, CN_BODY_KINEMATIC, 0.0f, 0.0f, 0.0f);
+	cn_shape_def side = fixture_shape_def(drum, 0.6f, 0.0f);
+	double sum = 0.0;
+	int32_t k;
+	for (k = 0; k < 4; ++k) {
+		float along = k < 2 ? 0.0f : 1.0f, off = k % 2 ? 5.5f : -5.5f;
+		cn_polygon wall;
+		cn_shape shape;
+		must(cn_polygon_make_box(0.5f + 5.5f * along, 6.0f - 5.5f * along, off * (1.0f - along), off * along, 0.0f, 0.0f, &wall), NULL, "cn_polygon_make_box");
+		must(cn_shape_create_polygon(world, &side, &wall, &shape), world, "cn_shape_create_polygon");
+	}
+	for (k = 0; k < CROWD; ++k)
+		bodies[k] = fixture_box(world, CN_BODY_DYNAMIC, 0.36f * (float)(k % SIDE) - 4.5f, 0.36f * (float)(k / SIDE) - 4.8f, 0.0f, 0.17f, 0.17f, 0.6f, 0.0f);
+	for (k = 0; k < STEPS; ++k) {
+		fixture_set_velocity(world, drum, 0.0f, 0.0f, 0.8f);
+		fixture_step(world, 1);
+		sum += k >= FIRST ? overlaps(world, bodies, CROWD) / (double)(CROWD * (STEPS - FIRST)) : 0.0;
+	}
+	CHECK_LE("mean overlap a body", sum, 0.02, "m");
+	cn_world_destroy(world);
+}
+
 /* A plate that nothing stops presses a crowd against a wall, farther than it can go: how fast bodies leave, as a multiple of the
    plate's speed, in the mean of many crowds. */
 static void a_crowd_that_is_crushed_does_not_burst(void)
@@ -562,6 +589,7 @@ int main(int argc, char **argv)
 	RUN(speed_limits_hold_in_every_step);
 	RUN(fast_rough_bodies_gain_no_energy);
 	RUN(a_crowd_that_is_struck_is_held_apart);
+	RUN(a_crowd_that_tumbles_does_not_sink);
 	RUN(a_crowd_that_is_crushed_does_not_burst);
 	return test_end();
 }

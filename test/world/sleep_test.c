@@ -410,7 +410,7 @@ static void crowd_begin(crowd *c, int32_t piles)
 	for (k = 0; k < CROWD; ++k) {
 		float x = -6.0f + 1.1f * (float)(k % 12), y = 1.0f + 1.2f * (float)(k / 12);
 		c->bodies[k] = k % 3 == 0 ? fixture_circle(c->world, CN_BODY_DYNAMIC, x, y, 0.5f, 0.5f, 0.5f) : unit_box(c->world, x, y);
-		fixture_set_velocity(c->world, c->bodies[k], (float)(k * 37 % 19 - 9), (float)(k * 53 % 23 - 11), 0.0f);
+		fixture_set_velocity(c->world, c->bodies[k], (float)(k * 31 % 19 - 9), (float)(k * 53 % 23 - 11), 0.0f);
 	}
 }
 

@@ -94,8 +94,8 @@ static uint64_t churn_peak(const churn *c)
 	return stats.bytes_peak;
 }
 
-/* The peak of memory after the first part, against that of all parts. */
-static void churn_run(int32_t solver, int32_t steps, int32_t first, int32_t validate_every)
+/* The peak of memory after the first part, against that of all parts. growth: bound on their ratio. */
+static void churn_run(int32_t solver, int32_t steps, int32_t first, int32_t validate_every, double growth)
 {
 	static churn c;
 	uint64_t peak = 0;
@@ -114,17 +114,19 @@ static void churn_run(int32_t solver, int32_t steps, int32_t first, int32_t vali
 	printf("  %d steps: %lld bodies made, %lld joints broken, %d awake at the end\n", (int)steps, (long long)c.made, (long long)c.broken,
 	       (int)fixture_counters(c.world).bodies_awake);
 	CHECK_LE("invalid states", c.invalid, 0, "");
-	CHECK_LE("peak of memory over that of the first part", (double)churn_peak(&c) / (double)peak, 1.1, "");
+	CHECK_LE("peak of memory over that of the first part", (double)churn_peak(&c) / (double)peak, growth, "");
 	CHECK(c.broken > 0);
 	cn_world_destroy(c.world);
 }
 
-static void t_churn(void) { churn_run(CN_SOLVER_AUTO, 1200, 700, 60); }
+/* Five bursts, of which the first part has three: chance decides which one needs most. An array that must hold one more doubles, and the
+   greatest one is a third of the memory. */
+static void t_churn(void) { churn_run(CN_SOLVER_AUTO, 1200, 700, 60, 4.0 / 3.0); }
 
 static void t_soak_an_hour_of_churn(void)
 {
-	churn_run(CN_SOLVER_AUTO, 216000, 21600, 600);
-	churn_run(CN_SOLVER_SOFT, 216000, 21600, 600);
+	churn_run(CN_SOLVER_AUTO, 216000, 21600, 600, 1.1);
+	churn_run(CN_SOLVER_SOFT, 216000, 21600, 600, 1.1);
 }
 
 /* ---- many worlds ---- */
