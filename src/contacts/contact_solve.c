@@ -129,6 +129,9 @@ void cni_contacts_list(cn_world *world, cni_solve *s)
 		infos_prefetch(world);
 	for (color = 0; color < CNI_COLORS; ++color) {
 		world->colors[color].listed = count;
+		world->colors[color].listed_count = 0;
+		if (world->colors[color].lanes == 0)
+			continue;
 		s->lanes += world->colors[color].lanes;
 		for (k = world->colors[color].lanes, block = world->colors[color].first; k > 0; k -= CNI_LANES) {
 			cni_block_info *info = cni_block_info_at(world, block);
@@ -139,7 +142,7 @@ void cni_contacts_list(cn_world *world, cni_solve *s)
 			block = info->next;
 		}
 		world->colors[color].listed_count = count - world->colors[color].listed;
-		s->contact_colors |= (uint32_t)(world->colors[color].lanes > 0) << color;
+		s->contact_colors |= 1u << color;
 	}
 	CNI_ASSERT(count <= world->block_list.capacity);
 	s->relax_sweeps = relax_sweeps(world);

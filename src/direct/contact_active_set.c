@@ -226,7 +226,7 @@ static void velocities_push(const cni_direct_contact_pass *q)
 int32_t cni_direct_contact_system_solve(const cni_direct_contact_pass *q)
 {
 	float regular = q->warm ? CNI_REGULARIZATION_WARM : CNI_REGULARIZATION_CONTACTS;
-	int32_t rounds = q->warm ? CNI_CONTACT_SET_REFINEMENTS_WARM : CNI_CONTACT_SET_REFINEMENTS, k;
+	int32_t rounds = q->warm ? (int32_t)CNI_CONTACT_SET_REFINEMENTS_WARM : (int32_t)CNI_CONTACT_SET_REFINEMENTS, k;
 	if (set_apply(q) || q->c->regular != regular)
 		q->c->factored = 0;
 	q->c->regular = regular;

@@ -7,12 +7,6 @@
 #include "joints/joint_pass.h"
 #include "model/tuning.h"
 
-/*
- * What is borne is a force: a longer step needs larger impulses, a shorter one smaller ones. Where the product of these factors does
- * not remain the ratio of the steps, a pile sags or jumps: walls fell at once with a limit of 4 when a step was 0.2 to 1.8 times the
- * mean (a ratio of 9). After a pause nothing is known.
- */
-
 /* CNI_LOAD_HEAVY / (h stress^2) of a step, times the square of the speed that the impulse gives. Without gravity there is no weight to
    compare with. */
 static float load_heavy(const cn_world *world, const cni_solve *s)
@@ -67,11 +61,23 @@ static float mean_step(const cn_world *world, float dt)
 	return mean > 0.0f && CNI_ON(MEAN_STEP) ? mean + part * (cni_min(dt, 2.0f * mean) - mean) : dt;
 }
 
+/*
+ * What is borne is a force: a longer step needs larger impulses, a shorter one smaller ones. Where the product of these factors does
+ * not remain the ratio of the steps, a pile sags or jumps: walls fell at once with a limit of 4 when a step was 0.2 to 1.8 times the
+ * mean (a ratio of 9). After a pause nothing is known.
+ */
+static float warm_scale(const cn_world *world, float dt)
+{
+	float last = world->step_dt;
+	if ((world->settings.flags & CN_WORLD_WARM_START) == 0)
+		return 0.0f;
+	return last > 0.0f ? cni_min(dt / last, CNI_WARM_STEP_RATIO_MAX) : 1.0f;
+}
+
 static cni_solve make(const cn_world *world, float dt, int32_t substeps)
 {
 	const cni_settings *set = &world->settings;
 	cni_solve s;
-	float last = world->step_dt;
 	int32_t kind;
 	memset(&s, 0, sizeof s);
 	s.dt = dt;
@@ -80,7 +86,7 @@ static cni_solve make(const cn_world *world, float dt, int32_t substeps)
 	s.inv_h = s.h > 0.0f ? 1.0f / s.h : 0.0f;
 	s.mean_dt = mean_step(world, dt);
 	s.soft_rate = s.mean_dt > 0.0f ? 1.0f / (s.mean_dt / (float)substeps) : 0.0f;
-	s.warm_scale = (set->flags & CN_WORLD_WARM_START) == 0 ? 0.0f : last > 0.0f ? cni_min(dt / last, CNI_WARM_STEP_RATIO_MAX) : 1.0f;
+	s.warm_scale = warm_scale(world, dt);
 	s.push_speed = set->push_speed_max;
 	s.restitution_threshold = set->restitution_threshold;
 	s.jump_speed = set->length_unit;
