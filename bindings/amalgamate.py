@@ -13,7 +13,7 @@ import re
 import sys
 from pathlib import Path
 
-FOLDERS = 'base geometry collision linear broadphase model contacts narrowphase joints direct step world'.split()
+FOLDERS = 'base geometry collision linear broadphase model contacts narrowphase joints direct step world query save'.split()
 SOURCE = Path('src')
 TOKEN = re.compile(r'#[ \t]*pragma[^\n]*|/\*.*?\*/|//[^\n]*|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])*\'|\.?\d(?:[eE][+-]|[\w.])*|[A-Za-z_]\w*|\s+|.', re.S)
 INCLUDE = re.compile(r'^#include "([^"]+)"[^\n]*\n', re.M)

@@ -1,7 +1,7 @@
 #!/bin/sh
 # usage: cross.sh build-folder
 # The same bits on other processors (targets.sh): compiled for each target and run by an emulator, the golden scenes of
-# world/determinism_test, the numbers of arch/hashes_test, the bytes of world/file_test, and the tests of base/; for WebAssembly, which is
+# world/determinism_test, the numbers of arch/hashes_test, the bytes of save/file_test, and the tests of base/; for WebAssembly, which is
 # quick, those of geometry/ instead.
 #
 # Golden scenes that are large run on aarch64 and wasm32 only: they take as long as all others together.
@@ -13,7 +13,7 @@ build=$1
 cores=$(nproc 2>/dev/null || echo 2)
 passed=0 failed=0 skipped=0 running=0 begun=
 
-units="$(ls test/base/*_test.c | grep -v time_test) test/world/file_test.c test/arch/hashes_test.c" # which also has threads
+units="$(ls test/base/*_test.c | grep -v time_test) test/save/file_test.c test/arch/hashes_test.c" # which also has threads
 geometry="$(grep -L 'hooks\.h' test/geometry/*_test.c | grep -v time_test) test/arch/hashes_test.c" # WASI has no setjmp, which hooks need
 
 # Leaves $build/<target>.log, .code and .seconds. Emulators are slow: TEST_SLOW.

@@ -244,7 +244,7 @@ bits='world/determinism world/random collision/manifold_batch step/integrate joi
 # What reads and writes each struct of the library at least once.
 calls='base/memory base/arena base/blocks base/table base/handles collision/manifold broadphase/tree collision/cast broadphase/sweep
 	linear/sparse world/memory world/memory_block world/calls world/arguments world/joint_all world/joint_life world/body_state world/shape
-	world/sensor world/events world/query world/direct_contacts world/update world/draw'
+	world/sensor world/events query/query world/direct_contacts world/update world/draw'
 
 run_part() {
 	case $part in

@@ -2,7 +2,7 @@
  * broadphase/tree.h - a dynamic AABB tree: finds the boxes that overlap a box, a ray, or each other.
  *
  * A pure data structure without physics. Items are small integers chosen by the owner; the owner pads the boxes.
- * Two owners: the tree broadphase (broadphase/broadphase_tree.c) and cn_tree_* (world/tree.c).
+ * Two owners: the tree broadphase (broadphase/broadphase_tree.c) and cn_tree_* (query/tree.c).
  *
  * A node has two sides; each side holds an item or another node. The node stores the boxes of both sides, so that a
  * search tests two children with one memory access. A place is one side of one node:

@@ -4,7 +4,7 @@
  * If a test here fails, look first in: geometry/medium (its own test), step/areas.c (fields of a body), model/area.c (waking, order),
  * step/integrate.c (external accelerations).
  */
-#include "files.h"
+#include "save/files.h"
 
 #define PI 3.14159265358979
 #define G 10.0

@@ -1,0 +1,260 @@
+/*
+ * query/mover.c - the character mover: one move of a caller's cn_mover through the world (see cn_mover_move in cairn.h).
+ *
+ * Reads the world; writes the mover, and forces on dynamic bodies that it pushes. The world stores nothing of a mover.
+ *
+ * The mover touches surfaces exactly, by planes at separation 0. The casts that prevent tunnelling move a core that is
+ * smaller by a skin of half a slop, so that the ground or a wall along which the mover slides never stops a cast. The whole
+ * shape overlaps a surface that stops the cast by the skin, and the next round of planes resolves it.
+ */
+#include "query/mover.h"
+
+#include <string.h>
+
+/* Of the slop: the skin, and the distance at which surfaces are touched. */
+#define SKIN_PER_SLOP 0.5f
+#define MARGIN_PER_SLOP 0.1f
+/* Sine of the normal's height below which a surface is a ceiling. */
+#define CEILING_SINE 0.5f
+/* A velocity along up, in length units a second, above which a mover on the ground jumps: more than rounding. */
+#define JUMP_SPEED 1e-3f
+
+void cn_mover_def_init(cn_mover_def *def)
+{
+	if (def == NULL)
+		return;
+	memset(def, 0, sizeof *def);
+	def->struct_size = (uint32_t)sizeof *def;
+	def->shape.count = 2;
+	def->shape.radius_m = 0.3f;
+	def->shape.points_m[0].y = -0.5f;
+	def->shape.points_m[1].y = 0.5f;
+	cn_query_filter_init(&def->filter);
+	def->up.y = 1.0f;
+	def->slope_limit_rad = 0.87f;
+	def->step_height_m = 0.3f;
+	def->snap_m = 0.3f;
+	def->gravity_scale = 1.0f;
+	def->push_force_N = 200.0f;
+	def->iterations_max = 8;
+}
+
+/* ------------------------------------------------------------------ arguments */
+
+static void check_def(cni_call *call, const cn_mover_def *def)
+{
+	cni_check_pointer(call, "def", def);
+	if (call->result != CN_OK)
+		return;
+	cni_check_struct_size(call, def->struct_size, sizeof *def, "cn_mover_def_init");
+	cni_check_flags(call, "flags", def->flags, CN_MOVER_DROP);
+	cni_check_range(call, "up.x", def->up.x, -1e6f, 1e6f);
+	cni_check_range(call, "up.y", def->up.y, -1e6f, 1e6f);
+	if (call->result == CN_OK && !(cni_length(def->up) > 1e-6f))
+		cni_refuse(call, CN_ERROR_ARGUMENT, "up must have a length > 0");
+	cni_check_range(call, "slope_limit_rad", def->slope_limit_rad, 0.0f, 0.5f * CNI_PI);
+	cni_check_range(call, "step_height_m", def->step_height_m, 0.0f, CNI_COORDINATE_MAX);
+	cni_check_range(call, "snap_m", def->snap_m, 0.0f, CNI_COORDINATE_MAX);
+	cni_check_range(call, "gravity_scale", def->gravity_scale, -1e6f, 1e6f);
+	cni_check_range(call, "push_force_N", def->push_force_N, 0.0f, 1e20f);
+	cni_check_range_int(call, "iterations_max", def->iterations_max, 1, 64);
+}
+
+static void check_mover(cni_call *call, const cn_mover *mover)
+{
+	cni_check_pointer(call, "mover", mover);
+	if (call->result != CN_OK)
+		return;
+	cni_check_position(call, "position_m", mover->position_m);
+	cni_check_range(call, "velocity_mps.x", mover->velocity_mps.x, -1e6f, 1e6f);
+	cni_check_range(call, "velocity_mps.y", mover->velocity_mps.y, -1e6f, 1e6f);
+	cni_check_finite2(call, "ground_normal", mover->ground_normal);
+	cni_check_finite2(call, "ground_point_m", mover->ground_point_m);
+	cni_check_finite2(call, "ground_local_m", mover->ground_local_m);
+	cni_check_finite2(call, "ground_velocity_mps", mover->ground_velocity_mps);
+	cni_check_flags(call, "flags", mover->flags, CN_MOVER_ON_GROUND | CN_MOVER_ON_WALL | CN_MOVER_ON_CEILING);
+}
+
+/* The core: a region with a radius, or else points, reduced by the skin. */
+static cni_region core_of(const cni_region *full, const cni_geometry *g, float skin)
+{
+	cni_region core = *full;
+	float scale = 1.0f - cni_min(skin / cni_max(g->inner_radius, skin), 0.5f);
+	int32_t k;
+	if (full->radius > 0.0f) {
+		core.radius -= cni_min(skin, 0.5f * full->radius);
+		return core;
+	}
+	for (k = 0; k < core.count; ++k)
+		core.points[k] = cni_madd(core.center, scale, cni_sub(core.points[k], core.center));
+	return core;
+}
+
+static void move_begin(cni_move *m, cn_world *world, const cn_mover_def *def, const cni_region *region, cn_mover *mover, float dt)
+{
+	float slop = world->settings.slop;
+	cn_polygon from_origin;
+	m->world = world;
+	m->def = def;
+	m->mover = mover;
+	m->dt = dt;
+	m->skin = SKIN_PER_SLOP * slop;
+	m->margin = MARGIN_PER_SLOP * slop;
+	m->up = cni_normalize(def->up);
+	m->right = cni_right_perp(m->up);
+	m->walkable = cni_sincos(def->slope_limit_rad).c;
+	m->planes.count = 0;
+	from_origin.count = region->count;
+	from_origin.radius_m = region->radius;
+	memcpy(from_origin.points_m, region->points, sizeof from_origin.points_m);
+	cni_solid_make(&from_origin, &m->solid);
+	m->full = *region;
+	m->core = core_of(region, &m->solid.g, m->skin);
+	m->offset = region->origin;
+	m->sight.filter.flags |= CN_QUERY_ONE_WAY;
+	m->sight.touch = FLT_MAX;
+	m->sight.without = CN_SHAPE_SENSOR | (def->flags & CN_MOVER_DROP ? (uint32_t)CN_SHAPE_ONE_WAY : 0u);
+	mover->squeezed_m = 0.0f;
+	cni_move_place(m, mover->position_m);
+}
+
+/* Moves the mover with its ground: the motion of its point of the ground since the last move, and conveyors. */
+static void carry(cni_move *m)
+{
+	cn_mover *mover = m->mover;
+	int32_t body = cni_handles_find(&m->world->body_handles, mover->ground_body);
+	int32_t shape = cni_handles_find(&m->world->shape_handles, mover->ground_shape);
+	cni_vec2 way = { 0.0f, 0.0f };
+	if (!(mover->flags & CN_MOVER_ON_GROUND) || body == CNI_NONE)
+		return;
+	if (cni_body_at(m->world, body)->type != CN_BODY_STATIC)
+		way = cni_sub(cni_query_to_world(cni_body_at(m->world, body), mover->ground_local_m), mover->ground_point_m);
+	if (shape != CNI_NONE)
+		way = cni_madd(way, cni_shape_at(m->world, shape)->tangent_speed * m->dt, cni_right_perp(mover->ground_normal));
+	if (way.x != 0.0f || way.y != 0.0f)
+		cni_move_slide(m, way);
+}
+
+/* ------------------------------------------------------------------ pushing */
+
+/* Applies a force to a dynamic body in the way, of at most push_force_N, that brings it to the mover's velocity in the next step. A force,
+   not an impulse: if it is too weak to overcome friction, it does not move the body at all. */
+static void push(const cni_move *m, const cn_plane *p, cni_vec2 velocity)
+{
+	const cni_body *b = cni_body_at(m->world, cni_body_index(m->world, p->body));
+	cni_vec2 arm = cni_sub(cni_sub(p->point_m, cni_v(b->cx, b->cy)), cni_v(b->cx_low, b->cy_low)), force;
+	float closing = cni_dot(cni_sub(cni_mover_velocity_at(m->world, p->body, p->point_m), velocity), p->normal);
+	float lever = cni_cross(arm, p->normal), yields;
+	if (b->type != CN_BODY_DYNAMIC || !(closing > 0.0f) || !(m->def->push_force_N > 0.0f))
+		return;
+	yields = 1.0f / b->mass + (b->inertia > 0.0f ? lever * lever / b->inertia : 0.0f);
+	force = cni_mul(-cni_min(closing / (yields * m->dt), m->def->push_force_N), p->normal);
+	(void)cn_body_apply_force_at(m->world, p->body, force.x, force.y, p->point_m.x, p->point_m.y);
+}
+
+static void push_all(const cni_move *m, cni_vec2 velocity)
+{
+	int32_t k;
+	--m->world->locked;
+	for (k = 0; k < m->planes.count; ++k)
+		push(m, &m->planes.at[k], velocity);
+	++m->world->locked;
+}
+
+/* ------------------------------------------------------------------ velocities */
+
+/* Velocity without its parts into touched surfaces. */
+static cni_vec2 clip(const cni_move *m, cni_vec2 v)
+{
+	float speeds[CNI_MOVER_PLANES_MAX];
+	int32_t k;
+	for (k = 0; k < m->planes.count; ++k) {
+		const cn_plane *p = &m->planes.at[k];
+		speeds[k] = cni_dot(p->normal, cni_mover_velocity_at(m->world, p->body, p->point_m));
+	}
+	return cni_planes_clip(m->planes.at, speeds, m->planes.count, cni_move_block_steep(m, v));
+}
+
+static void note_walls(const cni_move *m)
+{
+	int32_t k;
+	m->mover->flags &= ~(uint32_t)(CN_MOVER_ON_WALL | CN_MOVER_ON_CEILING);
+	for (k = 0; k < m->planes.count; ++k) {
+		float height = cni_dot(m->planes.at[k].normal, m->up);
+		if (height < -CEILING_SINE)
+			m->mover->flags |= CN_MOVER_ON_CEILING;
+		else if (height < m->walkable)
+			m->mover->flags |= CN_MOVER_ON_WALL;
+	}
+}
+
+/* ------------------------------------------------------------------ walking and flying */
+
+static void walk(cni_move *m)
+{
+	cn_mover *mover = m->mover;
+	float speed = cni_dot(mover->velocity_mps, m->right), progress, wanted;
+	cni_vec2 along = cni_right_perp(mover->ground_normal), start = mover->position_m;
+	cni_vec2 velocity = cni_madd(mover->ground_velocity_mps, speed, along), carried = mover->ground_velocity_mps;
+	cni_move_slide(m, cni_mul(speed * m->dt, along));
+	push_all(m, velocity);
+	wanted = speed * m->dt * cni_dot(along, m->right);
+	progress = cni_dot(cni_sub(mover->position_m, start), m->right);
+	if ((wanted < 0.0f ? progress - wanted : wanted - progress) > m->margin) {
+		if (cni_ground_step(m, start, wanted, progress)) {
+			mover->velocity_mps = cni_mul(speed, m->right);
+			return;
+		}
+		speed = progress / m->dt;
+	}
+	if (cni_ground_of_planes(m, carried) || cni_ground_snap(m)) {
+		mover->velocity_mps = cni_mul(speed, m->right);
+		return;
+	}
+	cni_ground_none(m);
+	mover->velocity_mps = cni_madd(carried, speed, along);
+}
+
+static void fly(cni_move *m)
+{
+	cn_mover *mover = m->mover;
+	cni_vec2 gravity = cni_mul(m->def->gravity_scale, m->world->settings.gravity);
+	cni_vec2 v = mover->velocity_mps, way;
+	if (mover->flags & CN_MOVER_ON_GROUND)
+		v = cni_add(v, mover->ground_velocity_mps);
+	cni_ground_none(m);
+	way = cni_madd(cni_mul(m->dt, v), 0.5f * m->dt * m->dt, gravity);
+	v = cni_madd(v, m->dt, gravity);
+	cni_move_slide(m, way);
+	push_all(m, v);
+	if (cni_ground_of_planes(m, v))
+		mover->velocity_mps = cni_mul(cni_dot(cni_sub(clip(m, v), mover->ground_velocity_mps), m->right), m->right);
+	else
+		mover->velocity_mps = clip(m, v);
+}
+
+cn_result cn_mover_move(cn_world *world, const cn_mover_def *def, float dt_s, cn_mover *mover)
+{
+	cni_call call = cni_enter(world, __func__);
+	cni_move m;
+	cni_region region;
+	check_def(&call, def);
+	if (call.result == CN_OK) {
+		m.sight = cni_check_filter(&call, &def->filter);
+		cni_check_region(&call, &def->shape, &region);
+	}
+	cni_check_range(&call, "dt_s", dt_s, FLT_MIN, 1.0f);
+	check_mover(&call, mover);
+	if (call.result != CN_OK)
+		return call.result;
+	move_begin(&m, world, def, &region, mover, dt_s);
+	++world->locked; /* the filter may call the user's callback */
+	carry(&m);
+	if ((mover->flags & CN_MOVER_ON_GROUND) && !(cni_dot(mover->velocity_mps, m.up) > JUMP_SPEED * world->settings.length_unit))
+		walk(&m);
+	else
+		fly(&m);
+	--world->locked;
+	note_walls(&m);
+	return CN_OK;
+}

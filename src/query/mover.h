@@ -1,0 +1,64 @@
+/*
+ * query/mover.h - shared by the files of the character mover: planes (mover_plane.c), sliding (mover_slide.c), ground
+ * (mover_ground.c) and the move (mover.c).
+ */
+#ifndef CNI_WORLD_MOVER_H
+#define CNI_WORLD_MOVER_H
+
+#include "query/query.h"
+
+/* Planes of a mover that are looked at, those of least separation. */
+#define CNI_MOVER_PLANES_MAX 16
+
+typedef struct cni_planes {
+	cn_plane at[CNI_MOVER_PLANES_MAX];
+	int32_t count;
+	int32_t reserved;
+} cni_planes;
+
+/* Finds the planes of a shape: region is its place, solid the same points relative to the region's origin. */
+void cni_planes_find(const cni_sight *sight, const cni_region *region, const cni_solid *solid, float margin, cn_plane *out, int32_t capacity, int32_t *out_count);
+/* As cn_mover_solve. */
+cni_vec2 cni_planes_solve(cn_plane *planes, int32_t count, cni_vec2 wanted, float *out_overlap);
+/* Velocity nearest to v that leads into none of the surfaces, which move at speeds[i] along their normals. */
+cni_vec2 cni_planes_clip(const cn_plane *planes, const float *speeds, int32_t count, cni_vec2 v);
+/* Velocity of the body's material at a world point. */
+cni_vec2 cni_mover_velocity_at(const cn_world *world, cn_body body, cni_vec2 point);
+
+/* ---- state of one move */
+
+typedef struct cni_move {
+	cn_world *world;
+	const cn_mover_def *def;
+	cn_mover *mover;
+	cni_sight sight;
+	cni_region full, core;   /* core: slightly smaller, so that touched surfaces do not stop a cast */
+	cni_solid solid;
+	cni_vec2 offset;         /* of the regions' origin from the mover's position */
+	cni_vec2 up, right;
+	float walkable;          /* cosine of the slope limit */
+	float margin;            /* surfaces within it are touched */
+	float skin;              /* distance between the surfaces of full and core */
+	float dt;
+	cni_planes planes;       /* of the last cni_move_touch */
+} cni_move;
+
+/* mover_slide.c. Sets the mover's position. */
+void cni_move_place(cni_move *m, cni_vec2 position);
+/* Finds the planes that it touches. */
+void cni_move_touch(cni_move *m);
+/* Moves the mover by a translation, or as far as it can slide along the surfaces in the way. */
+void cni_move_slide(cni_move *m, cni_vec2 translation);
+/* Removes the horizontal velocity into steep planes: a surface too steep to walk on is a wall. */
+cni_vec2 cni_move_block_steep(const cni_move *m, cni_vec2 v);
+
+/* Clears the mover's ground. The functions below set it and return 1 if there is ground (mover_ground.c). */
+void cni_ground_none(cni_move *m);
+/* Takes the most level walkable plane touched, unless the mover leaves it at velocity v. */
+int32_t cni_ground_of_planes(cni_move *m, cni_vec2 v);
+/* Finds ground within the snap distance below and moves down to it. */
+int32_t cni_ground_snap(cni_move *m);
+/* Tries a step up from start and the distance way along `right`, of which sliding moved only `progress`. */
+int32_t cni_ground_step(cni_move *m, cni_vec2 start, float way, float progress);
+
+#endif

@@ -1,0 +1,288 @@
+/*
+ * query/query.c - shared by all queries: see query.h.
+ */
+#include "query/query.h"
+
+#include <string.h>
+
+/* ------------------------------------------------------------------ filter */
+
+void cn_query_filter_init(cn_query_filter *filter)
+{
+	if (filter == NULL)
+		return;
+	memset(filter, 0, sizeof *filter);
+	filter->category = 1;
+	filter->mask = ~(uint64_t)0;
+}
+
+cni_sight cni_check_filter(cni_call *call, const cn_query_filter *filter)
+{
+	cni_sight s;
+	s.world = call->world;
+	s.ignored = CNI_NONE;
+	s.without = 0;
+	s.touch = 0.0f;
+	cn_query_filter_init(&s.filter);
+	if (call->result != CN_OK)
+		return s;
+	if (filter != NULL)
+		s.filter = *filter;
+	cni_check_flags(call, "flags", s.filter.flags, CN_QUERY_IGNORE_JOINED | CN_QUERY_ONE_WAY | CN_QUERY_LEAVING);
+	if (s.filter.ignored_body != 0 && cni_check_body(call, "ignored_body", s.filter.ignored_body) != NULL)
+		s.ignored = cni_body_index(call->world, s.filter.ignored_body);
+	s.touch = s.filter.flags & CN_QUERY_LEAVING ? FLT_MAX : call->world->settings.slop;
+	return s;
+}
+
+static int32_t is_joined(const cn_world *world, int32_t body, int32_t to)
+{
+	int32_t key;
+	for (key = cni_body_at(world, to)->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1])
+		if (cni_joint_at(world, key >> 1)->body[!(key & 1)] == body)
+			return 1;
+	return 0;
+}
+
+int32_t cni_sight_sees(const cni_sight *sight, const cni_shape *shape)
+{
+	const cn_query_filter *filter = &sight->filter;
+	if ((shape->flags & (CN_SHAPE_SENSOR | CN_SHAPE_SENSOR_SEEN)) == CN_SHAPE_SENSOR)
+		return 0;
+	if (shape->flags & sight->without)
+		return 0;
+	if ((shape->category & filter->mask) == 0 || (shape->mask & filter->category) == 0)
+		return 0;
+	if (sight->ignored == CNI_NONE)
+		return 1;
+	if (shape->body == sight->ignored)
+		return 0;
+	return !(filter->flags & CN_QUERY_IGNORE_JOINED) || !is_joined(sight->world, shape->body, sight->ignored);
+}
+
+int32_t cni_query_target_of(const cni_sight *sight, int32_t proxy, cni_query_target *out)
+{
+	const cn_world *world = sight->world;
+	const cni_proxy *p = cni_proxy_at(world, proxy);
+	out->index = p->shape;
+	out->child = cni_proxy_child(p);
+	out->shape = cni_shape_at(world, p->shape);
+	if (!cni_sight_sees(sight, out->shape))
+		return 0;
+	out->body = cni_body_at(world, out->shape->body);
+	out->geometry = cni_shape_geometry(&world->blocks, out->shape);
+	return 1;
+}
+
+int32_t cni_sight_ask(const cni_sight *sight, const cn_ray_hit *hit)
+{
+	return sight->filter.visit != NULL ? sight->filter.visit(sight->world, hit, sight->filter.user) : CN_QUERY_TAKE;
+}
+
+int32_t cni_sight_ask_target(const cni_sight *sight, const cni_query_target *t)
+{
+	cn_ray_hit hit;
+	if (sight->filter.visit == NULL)
+		return CN_QUERY_TAKE;
+	memset(&hit, 0, sizeof hit);
+	hit.shape = cni_handles_of(&sight->world->shape_handles, t->index);
+	hit.body = cni_handle_or_zero(&sight->world->body_handles, t->shape->body);
+	hit.child = t->child;
+	return cni_sight_ask(sight, &hit);
+}
+
+/* ------------------------------------------------------------------ frames */
+
+cni_vec2 cni_query_to_local(const cni_body *body, cni_vec2 point)
+{
+	if (body == NULL)
+		return point;
+	point = cni_sub(cni_sub(point, cni_v(body->cx, body->cy)), cni_v(body->cx_low, body->cy_low));
+	return cni_add(cni_unrotate(body->q, point), body->local_center);
+}
+
+cni_vec2 cni_query_to_world(const cni_body *body, cni_vec2 local)
+{
+	cni_vec2 r;
+	if (body == NULL)
+		return local;
+	r = cni_rotate(body->q, cni_sub(local, body->local_center));
+	return cni_v(body->cx + (r.x + body->cx_low), body->cy + (r.y + body->cy_low));
+}
+
+cni_vec2 cni_query_turn_to_local(const cni_body *body, cni_vec2 vector)
+{
+	return body != NULL ? cni_unrotate(body->q, vector) : vector;
+}
+
+cni_vec2 cni_query_turn_to_world(const cni_body *body, cni_vec2 local)
+{
+	return body != NULL ? cni_rotate(body->q, local) : local;
+}
+
+/* ------------------------------------------------------------------ region */
+
+static void points_reverse(cni_vec2 *points, int32_t count)
+{
+	int32_t i;
+	for (i = 0; i < count / 2; ++i) {
+		cni_vec2 p = points[i];
+		points[i] = points[count - 1 - i];
+		points[count - 1 - i] = p;
+	}
+}
+
+/* Checks the points, which are relative to the first one, and makes them counter-clockwise. */
+static void check_region_points(cni_call *call, cni_region *region)
+{
+	float tolerance = call->world->settings.thickness_least;
+	cn_polygon relative;
+	const char *wrong = NULL;
+	memset(&relative, 0, sizeof relative);
+	relative.count = region->count;
+	relative.radius_m = region->radius;
+	memcpy(relative.points_m, region->points, sizeof relative.points_m);
+	if (region->count > 2)
+		wrong = cni_check_polygon(&relative, tolerance);
+	else if (region->count == 2 && !(cni_length(region->points[1]) > tolerance))
+		wrong = cni_points_near;
+	if (wrong == cni_points_near)
+		cni_refuse_near(call, region->points, region->count, region->count > 2);
+	else if (wrong != NULL)
+		cni_refuse(call, CN_ERROR_ARGUMENT, wrong);
+	else if (region->count > 2 && cni_cross(region->points[1], region->points[2]) < 0.0f)
+		points_reverse(region->points, region->count);
+}
+
+void cni_check_translation(cni_call *call, cn_vec2 translation)
+{
+	cni_check_position(call, "half the translation", cni_mul(0.5f, translation));
+}
+
+void cni_check_region(cni_call *call, const cn_polygon *polygon, cni_region *out)
+{
+	int32_t i;
+	cni_check_pointer(call, "polygon", polygon);
+	if (call->result != CN_OK)
+		return;
+	cni_check_range_int(call, "count", polygon->count, 1, CN_POLYGON_MAX_VERTICES);
+	cni_check_range(call, "radius_m", polygon->radius_m, polygon->count < 3 ? FLT_MIN : 0.0f, CNI_COORDINATE_MAX);
+	for (i = 0; i < polygon->count && call->result == CN_OK; ++i)
+		cni_check_position(call, "points_m", polygon->points_m[i]);
+	if (call->result != CN_OK)
+		return;
+	memset(out, 0, sizeof *out);
+	out->origin = polygon->points_m[0];
+	out->count = polygon->count;
+	out->radius = polygon->radius_m;
+	for (i = 0; i < polygon->count; ++i) {
+		out->points[i] = cni_sub(polygon->points_m[i], out->origin);
+		out->center = cni_madd(out->center, 1.0f / (float)polygon->count, out->points[i]);
+	}
+	check_region_points(call, out);
+}
+
+cni_aabb cni_region_box(const cni_region *region, cni_vec2 offset)
+{
+	cni_vec2 base = cni_add(region->origin, offset);
+	cni_aabb box = { base.x, base.y, base.x, base.y };
+	int32_t i;
+	for (i = 0; i < region->count; ++i) {
+		cni_vec2 p = cni_add(base, region->points[i]);
+		box.x0 = cni_min(p.x, box.x0);
+		box.y0 = cni_min(p.y, box.y0);
+		box.x1 = cni_max(p.x, box.x1);
+		box.y1 = cni_max(p.y, box.y1);
+	}
+	box.x0 -= region->radius;
+	box.y0 -= region->radius;
+	box.x1 += region->radius;
+	box.y1 += region->radius;
+	return box;
+}
+
+cni_proxy_points cni_region_points(const cni_region *region)
+{
+	cni_proxy_points set = { region->points, region->count, region->radius };
+	return set;
+}
+
+cni_transform cni_region_in(const cni_region *region, const cni_body *body)
+{
+	cni_transform x = { { 1.0f, 0.0f }, { 0.0f, 0.0f } };
+	x.t = cni_query_to_local(body, region->origin);
+	if (body != NULL) {
+		x.q.c = body->q.c;
+		x.q.s = -body->q.s;
+	}
+	return x;
+}
+
+/* ------------------------------------------------------------------ the first items of a stream: a heap */
+
+static uint8_t *first_at(const cni_first *first, int32_t i)
+{
+	return first->items + (size_t)i * (size_t)first->item_bytes;
+}
+
+static void first_swap(const cni_first *first, int32_t i, int32_t j)
+{
+	uint8_t kept[CNI_FIRST_ITEM_BYTES];
+	memcpy(kept, first_at(first, i), (size_t)first->item_bytes);
+	memcpy(first_at(first, i), first_at(first, j), (size_t)first->item_bytes);
+	memcpy(first_at(first, j), kept, (size_t)first->item_bytes);
+}
+
+static void first_sift_up(const cni_first *first, int32_t i)
+{
+	while (i > 0 && first->before(first_at(first, (i - 1) / 2), first_at(first, i))) {
+		first_swap(first, i, (i - 1) / 2);
+		i = (i - 1) / 2;
+	}
+}
+
+static void first_sift_down(const cni_first *first, int32_t i, int32_t count)
+{
+	for (;;) {
+		int32_t last = i, child;
+		for (child = 2 * i + 1; child <= 2 * i + 2 && child < count; ++child)
+			if (first->before(first_at(first, last), first_at(first, child)))
+				last = child;
+		if (last == i)
+			return;
+		first_swap(first, i, last);
+		i = last;
+	}
+}
+
+void cni_first_begin(cni_first *first, void *items, int32_t item_bytes, int32_t capacity, cni_before_fn *before)
+{
+	CNI_ASSERT(item_bytes <= CNI_FIRST_ITEM_BYTES);
+	first->items = (uint8_t *)items;
+	first->item_bytes = item_bytes;
+	first->capacity = capacity;
+	first->held = 0;
+	first->total = 0;
+	first->before = before;
+}
+
+void cni_first_add(cni_first *first, const void *item)
+{
+	++first->total;
+	if (first->held < first->capacity) {
+		memcpy(first_at(first, first->held), item, (size_t)first->item_bytes);
+		first_sift_up(first, first->held++);
+	} else if (first->held > 0 && first->before(item, first_at(first, 0))) {
+		memcpy(first_at(first, 0), item, (size_t)first->item_bytes);
+		first_sift_down(first, 0, first->held);
+	}
+}
+
+void cni_first_end(cni_first *first)
+{
+	int32_t count;
+	for (count = first->held - 1; count > 0; --count) {
+		first_swap(first, 0, count);
+		first_sift_down(first, 0, count);
+	}
+}

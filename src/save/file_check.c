@@ -1,0 +1,531 @@
+/*
+ * save/file_check.c - is what was read from a file a world? Indices are in range already (file_fields.c); here lists must end, every
+ * record must be in the list that it says it is in, and whatever is read without a check by the step must be there.
+ * cn_world_validate, which trusts indices and lists, looks at the rest afterwards.
+ *
+ * Doubly linked lists are followed with the links back: a node has one predecessor, so a walk cannot come into a circle.
+ */
+#include "world/error.h"
+#include "save/file.h"
+
+/* ---- handles ---- */
+
+static int32_t lists_of_aliases_hold(const cni_handles *h)
+{
+	const cni_alias *by_index = (const cni_alias *)h->aliases.data, *by_slot = (const cni_alias *)h->by_slot.data;
+	int32_t k;
+	if (h->aliases.count != h->by_slot.count)
+		return 0;
+	for (k = 0; k < h->aliases.count; ++k) {
+		if (by_index[k].index <= 0 || by_index[k].index > CN_MAX_HANDLES || by_index[k].slot >= h->slots.count || by_slot[k].slot >= h->slots.count ||
+		    by_slot[k].index <= 0 || by_slot[k].index > CN_MAX_HANDLES)
+			return 0;
+		if (k > 0 && (by_index[k].index <= by_index[k - 1].index || by_slot[k].slot <= by_slot[k - 1].slot))
+			return 0;
+	}
+	return 1;
+}
+
+/* The alias of a slot in the sorted list; 0: none. */
+static int32_t alias_of(const cni_array *by_slot, int32_t slot)
+{
+	const cni_alias *list = (const cni_alias *)by_slot->data;
+	int32_t low = 0, high = by_slot->count;
+	while (low < high) {
+		int32_t middle = low + (high - low) / 2;
+		if (list[middle].slot < slot)
+			low = middle + 1;
+		else
+			high = middle;
+	}
+	return low < by_slot->count && list[low].slot == slot ? list[low].index : 0;
+}
+
+static int32_t aliases_hold(const cni_handles *h)
+{
+	const cni_alias *by_index = (const cni_alias *)h->aliases.data;
+	int32_t k;
+	if (!lists_of_aliases_hold(h))
+		return 0;
+	for (k = 0; k < h->aliases.count; ++k)
+		if (alias_of(&h->by_slot, by_index[k].slot) != by_index[k].index)
+			return 0;
+	return 1;
+}
+
+/* Slot words: base/handles.h. */
+static int32_t free_slots_hold(const cni_handles *h)
+{
+	const uint32_t *slots = (const uint32_t *)h->slots.data;
+	int32_t slot = h->free_first, last = CNI_NONE, left = h->slots.count - h->count, worn = 0;
+	for (; slot != CNI_NONE; slot = (int32_t)(slots[slot] & 0x1FFFFFu) - 1) {
+		if (slot < 0 || slot >= h->slots.count || (slots[slot] >> 21 & 1u) != 0 || left-- <= 0)
+			return 0;
+		worn += slots[slot] >> 22 == 0;
+		last = slot;
+	}
+	return left == 0 && last == h->free_last && worn == h->worn;
+}
+
+int32_t cni_file_handles_hold(const cni_handles *h)
+{
+	const uint32_t *slots = (const uint32_t *)h->slots.data;
+	int32_t k, alive = 0;
+	if (h->slots.count > CN_MAX_HANDLES || h->alias_next > CN_MAX_HANDLES + 1 || !aliases_hold(h))
+		return 0;
+	for (k = 0; k < h->slots.count; ++k) {
+		if (!(slots[k] >> 21 & 1u))
+			continue;
+		++alive;
+		if (slots[k] >> 22 == 0 || (int32_t)(slots[k] & 0x1FFFFFu) != alias_of(&h->by_slot, k))
+			return 0;
+	}
+	return alive == h->count && free_slots_hold(h);
+}
+
+/* ---- numbers that no field's kind bounds ---- */
+
+static int32_t body_alive(const cn_world *world, int32_t body) { return cni_handles_alive(&world->body_handles, body); }
+
+static int32_t world_numbers_hold(const cn_world *world)
+{
+	/* The step numbers islands anew with step_count + 1, which must not come round to 0. */
+	return world->step_count < 0xF0000000u && world->masses_estimated <= CNI_ESTIMATED_MOST && (world->pairs_may_repeat & ~(CNI_PAIRS_ALL | CNI_PAIRS_CROWDED | CNI_PAIRS_CROWDED_FIXED)) == 0 && world->fixed_step > 0.0f && world->fixed_step <= 1.0f && world->time_owed >= 0.0f &&
+	       world->time_owed <= 16.0f && world->steps_max >= 1 && world->steps_max <= 1000 && world->step_dt >= 0.0f && world->mean_dt >= 0.0f;
+}
+
+static int32_t body_numbers_hold(const cni_body *b)
+{
+	float length_sq = b->q.c * b->q.c + b->q.s * b->q.s;
+	return b->type <= CN_BODY_DYNAMIC && !(b->flags & CNI_BODY_MARK) && length_sq > 0.9f && length_sq < 1.1f && b->extent >= 0.0f && b->core >= 0.0f &&
+	       b->inertia >= 0.0f && (b->type == CN_BODY_DYNAMIC ? b->mass > 0.0f : b->mass == 0.0f);
+}
+
+static int32_t shape_numbers_hold(const cni_shape *s)
+{
+	return s->event_mask < 1u << CN_EVENT_KINDS && (s->mix & 15) <= CN_MIX_MAXIMUM && s->mix >> 4 <= CN_MIX_MAXIMUM && s->static_friction >= 0.0f &&
+	       s->dynamic_friction >= 0.0f && s->restitution >= 0.0f && s->restitution <= 1.0f && s->rolling_resistance >= 0.0f && s->density >= 0.0f;
+}
+
+static int32_t joint_numbers_hold(const cni_joint *j)
+{
+	return j->type < CNI_JOINT_TYPES && j->solver <= CN_SOLVER_DIRECT && j->trust.soft <= 1 && (j->awake == CNI_NONE || j->awake >= 0);
+}
+
+static int32_t records_hold(const cn_world *world)
+{
+	int32_t k, good = world_numbers_hold(world);
+	for (k = 0; k < world->body_handles.slots.count && good; ++k)
+		good = !body_alive(world, k) || body_numbers_hold(cni_body_at(world, k));
+	for (k = 0; k < world->shape_handles.slots.count && good; ++k)
+		good = !cni_handles_alive(&world->shape_handles, k) || shape_numbers_hold(cni_shape_at(world, k));
+	for (k = 0; k < world->joint_handles.slots.count && good; ++k)
+		good = !cni_handles_alive(&world->joint_handles, k) || joint_numbers_hold(cni_joint_at(world, k));
+	return good;
+}
+
+/* ---- lists of a body ---- */
+
+/* Number of shapes in a body's list; CNI_NONE: it is broken. The first one's prev is the last. */
+static int32_t shapes_in_list(const cn_world *world, int32_t body)
+{
+	int32_t first = cni_body_at(world, body)->shape_first, shape = first, before = CNI_NONE, count = 0;
+	for (; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
+		const cni_shape *s = cni_shape_at(world, shape);
+		if (!cni_handles_alive(&world->shape_handles, shape) || s->body != body || (count > 0 && (shape == first || s->prev != before)))
+			return CNI_NONE;
+		before = shape;
+		++count;
+	}
+	return count == 0 || cni_shape_at(world, first)->prev == before ? count : CNI_NONE;
+}
+
+static int32_t contact_is_live(const cn_world *world, int32_t contact)
+{
+	return contact >= 0 && contact < world->contact_used && cni_contact_at(world, contact)->body[0] != CNI_NONE;
+}
+
+static int32_t contacts_in_list(const cn_world *world, int32_t body)
+{
+	int32_t key = cni_body_at(world, body)->contact_first, before = CNI_NONE, count = 0;
+	for (; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
+		const cni_contact *c = cni_contact_of_key(world, key);
+		if (!contact_is_live(world, key >> 1) || c->body[key & 1] != body || c->prev[key & 1] != before)
+			return CNI_NONE;
+		before = key;
+		++count;
+	}
+	return count;
+}
+
+static int32_t joints_in_list(const cn_world *world, int32_t body)
+{
+	int32_t key = cni_body_at(world, body)->joint_first, before = CNI_NONE, count = 0;
+	for (; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1]) {
+		const cni_joint *j = cni_joint_at(world, key >> 1);
+		if (!cni_handles_alive(&world->joint_handles, key >> 1) || j->body[key & 1] != body || j->prev[key & 1] != before)
+			return CNI_NONE;
+		before = key;
+		++count;
+	}
+	return count;
+}
+
+static int32_t attached_shapes(const cn_world *world)
+{
+	int32_t k, count = 0;
+	for (k = 0; k < world->shape_handles.slots.count; ++k)
+		count += cni_handles_alive(&world->shape_handles, k) && cni_shape_at(world, k)->body != CNI_NONE;
+	return count;
+}
+
+/* The ends of joints that are bodies. */
+static int32_t joint_ends(const cn_world *world)
+{
+	int32_t k, count = 0;
+	for (k = 0; k < world->joint_handles.slots.count; ++k)
+		if (cni_handles_alive(&world->joint_handles, k))
+			count += (cni_joint_at(world, k)->body[0] != CNI_NONE) + (cni_joint_at(world, k)->body[1] != CNI_NONE);
+	return count;
+}
+
+static int32_t body_lists_hold(const cn_world *world)
+{
+	int32_t shapes = attached_shapes(world), contacts = 2 * world->contact_count, ends = joint_ends(world), k;
+	for (k = 0; k < world->body_handles.slots.count; ++k) {
+		int32_t of_shapes, of_contacts, of_joints;
+		if (!body_alive(world, k))
+			continue;
+		of_shapes = shapes_in_list(world, k);
+		of_contacts = contacts_in_list(world, k);
+		of_joints = joints_in_list(world, k);
+		if (of_shapes == CNI_NONE || of_contacts == CNI_NONE || of_joints == CNI_NONE)
+			return 0;
+		shapes -= of_shapes;
+		contacts -= of_contacts;
+		ends -= of_joints;
+	}
+	return shapes == 0 && contacts == 0 && ends == 0;
+}
+
+/* ---- awake bodies, islands ---- */
+
+/* The narrowphase reads either. */
+static int32_t same_velocity(const cni_body *b, const cni_motion *m)
+{
+	return b->vx == m->vx && b->vy == m->vy && b->w == m->w;
+}
+
+/* What is enabled and not awake stands still. */
+static int32_t still_holds(const cni_body *b)
+{
+	return b->awake != 0 || !(b->flags & CN_BODY_ENABLED) || (b->vx == 0.0f && b->vy == 0.0f && b->w == 0.0f);
+}
+
+static int32_t awake_bodies_hold(const cn_world *world)
+{
+	int32_t k;
+	if (cni_awake_ids(world)[0] != CNI_NONE)
+		return 0;
+	for (k = 1; k < world->awake_count; ++k) {
+		int32_t body = cni_awake_ids(world)[k];
+		if (!body_alive(world, body) || cni_body_at(world, body)->awake != k || !same_velocity(cni_body_at(world, body), cni_motions(world) + k))
+			return 0;
+	}
+	for (k = 0; k < world->body_handles.slots.count; ++k)
+		if (body_alive(world, k) && (cni_body_at(world, k)->awake >= world->awake_count || !still_holds(cni_body_at(world, k))))
+			return 0;
+	return 1;
+}
+
+static int32_t bodies_in_island(const cn_world *world, int32_t island)
+{
+	const cni_island *i = cni_island_at(world, island);
+	int32_t body = i->first, before = CNI_NONE, count = 0;
+	for (; body != CNI_NONE; body = cni_body_at(world, body)->island_next) {
+		if (!body_alive(world, body) || cni_body_at(world, body)->island != island || cni_body_at(world, body)->island_prev != before)
+			return CNI_NONE;
+		before = body;
+		++count;
+	}
+	return i->last == before && count == i->count ? count : CNI_NONE;
+}
+
+/* Islands that are solved directly are listed, each once: those that claim to be are as many as the list, and none claims it twice. */
+static int32_t direct_list_holds(const cn_world *world)
+{
+	const int32_t *list = (const int32_t *)world->direct_islands.data;
+	int32_t k, good = 1;
+	for (k = 0; k < world->direct_islands.count && good; ++k) {
+		good = list[k] != CNI_NONE && cni_island_at(world, list[k])->number == 0;
+		if (good)
+			cni_island_at(world, list[k])->number = 1; /* scratch of a step: 0 between steps of a read world */
+	}
+	for (k = 0; k < world->island_used; ++k)
+		cni_island_at(world, k)->number = 0;
+	return good;
+}
+
+static int32_t islands_hold(const cn_world *world)
+{
+	int32_t k, members = 0, free_records = 0;
+	for (k = 0; k < world->body_handles.slots.count; ++k)
+		members += body_alive(world, k) && cni_body_at(world, k)->island != CNI_NONE;
+	for (k = 0; k < world->island_used; ++k) {
+		int32_t count;
+		if (cni_island_at(world, k)->first == CNI_NONE)
+			continue;
+		count = bodies_in_island(world, k);
+		if (count == CNI_NONE)
+			return 0;
+		members -= count;
+	}
+	for (k = world->island_free; k != CNI_NONE; k = cni_island_at(world, k)->next_free)
+		++free_records;
+	return members == 0 && free_records == world->island_used - world->island_count && direct_list_holds(world);
+}
+
+/* ---- contacts ---- */
+
+/* Its shapes may collide, in this order. */
+static int32_t contact_pair_holds(const cn_world *world, const cni_contact *c)
+{
+	const cni_shape *shapes[2];
+	int32_t side, dynamic = 0;
+	for (side = 0; side < 2; ++side) {
+		const cni_proxy *p;
+		if (c->proxy[side] == CNI_NONE || !body_alive(world, c->body[side]))
+			return 0;
+		p = cni_proxy_at(world, c->proxy[side]);
+		if (!(p->flags & CNI_PROXY_ALIVE) || cni_shape_at(world, p->shape)->body != c->body[side])
+			return 0;
+		shapes[side] = cni_shape_at(world, p->shape);
+		dynamic |= cni_body_at(world, c->body[side])->type == CN_BODY_DYNAMIC;
+	}
+	return c->body[0] != c->body[1] && shapes[0]->type <= shapes[1]->type && cni_manifold_function(shapes[0]->type, shapes[1]->type) != NULL &&
+	       (dynamic || (c->flags & CNI_CONTACT_SENSOR));
+}
+
+static int32_t box_is_full(const cni_aabb *box) { return box->x0 <= box->x1 && box->y0 <= box->y1; }
+static const cni_aabb *old_box(const cni_proxy *p) { return p->flags & CNI_PROXY_MOVED ? &p->old : &p->fat; }
+
+/* May the next update find the pair again? Such bodies are asleep or marked: narrowphase/pairs.c. */
+static int32_t contact_boxes_hold(const cn_world *world, const cni_contact *c)
+{
+	const cni_aabb *one = old_box(cni_proxy_at(world, c->proxy[0])), *other = old_box(cni_proxy_at(world, c->proxy[1]));
+	int32_t side;
+	if ((world->pairs_may_repeat & CNI_PAIRS_ALL) == CNI_PAIRS_ALL || (box_is_full(one) && box_is_full(other) && cni_aabb_overlap(one, other)))
+		return 1;
+	for (side = 0; side < 2; ++side) {
+		const cni_body *b = cni_body_at(world, c->body[side]);
+		if ((b->awake == 0 && b->type != CN_BODY_STATIC) || (world->pairs_may_repeat && (b->flags & CNI_BODY_AGAIN)))
+			return 1;
+	}
+	return 0;
+}
+
+static int32_t contact_place_holds(const cn_world *world, int32_t contact)
+{
+	const cni_contact *c = cni_contact_at(world, contact);
+	if (!(c->flags & CNI_CONTACT_TOUCHING))
+		return !(c->flags & CNI_CONTACT_ASLEEP) && (c->slot == CNI_NONE || (c->slot >= 0 && c->slot < world->apart.count && ((const int32_t *)world->apart.data)[c->slot] == contact));
+	if (c->slot < 0 || (c->flags & CNI_CONTACT_SENSOR))
+		return 0;
+	if (c->flags & CNI_CONTACT_ASLEEP)
+		return c->slot < world->sleep_lanes.count && ((const cni_sleep_lane *)world->sleep_lanes.data)[c->slot].contact == contact;
+	return c->slot / CNI_LANES < world->block_used && cni_block_info_at(world, c->slot / CNI_LANES)->color != CNI_NONE &&
+	       cni_block_info_at(world, c->slot / CNI_LANES)->contact[c->slot % CNI_LANES] == contact;
+}
+
+static int32_t contacts_hold(const cn_world *world)
+{
+	int32_t k, free_records = 0;
+	for (k = 0; k < world->contact_used; ++k)
+		if (contact_is_live(world, k) && (!contact_pair_holds(world, cni_contact_at(world, k)) || !contact_boxes_hold(world, cni_contact_at(world, k)) || !contact_place_holds(world, k)))
+			return 0;
+	for (k = 0; k < world->apart.count; ++k) {
+		int32_t contact = ((const int32_t *)world->apart.data)[k];
+		if (!contact_is_live(world, contact) || cni_contact_at(world, contact)->slot != k || (cni_contact_at(world, contact)->flags & CNI_CONTACT_TOUCHING))
+			return 0;
+	}
+	for (k = world->contact_free; k != CNI_NONE; k = cni_contact_at(world, k)->slot)
+		++free_records;
+	return free_records == world->contact_used - world->contact_count;
+}
+
+static int32_t sleep_lanes_hold(const cn_world *world)
+{
+	const uint32_t asleep = CNI_CONTACT_TOUCHING | CNI_CONTACT_ASLEEP;
+	int32_t k;
+	for (k = 0; k < world->sleep_lanes.count; ++k) {
+		int32_t contact = ((const cni_sleep_lane *)world->sleep_lanes.data)[k].contact;
+		if (!contact_is_live(world, contact) || cni_contact_at(world, contact)->slot != k || (cni_contact_at(world, contact)->flags & asleep) != asleep)
+			return 0;
+	}
+	return 1;
+}
+
+/* ---- lanes ---- */
+
+/* A lane in use: its contact has it, its bodies are the contact's, and an anchor names the body that is not awake. */
+static int32_t lane_holds(const cn_world *world, int32_t block, int32_t lane)
+{
+	const cni_block_info *info = cni_block_info_at(world, block);
+	const cni_contact_block *rows = cni_block_at(world, block);
+	int32_t contact = info->contact[lane], flipped;
+	const cni_contact *c;
+	if (!contact_is_live(world, contact))
+		return 0;
+	c = cni_contact_at(world, contact);
+	flipped = (c->flags & CNI_CONTACT_FLIPPED) != 0;
+	if (c->slot != block * CNI_LANES + lane || (c->flags & (CNI_CONTACT_TOUCHING | CNI_CONTACT_ASLEEP)) != CNI_CONTACT_TOUCHING)
+		return 0;
+	if (rows->ia[lane] != cni_body_at(world, c->body[flipped])->awake || rows->ib[lane] != cni_body_at(world, c->body[1 - flipped])->awake)
+		return 0;
+	return rows->ib[lane] != 0 || !(info->anchored >> lane & 1u) || cni_block_anchor_at(world, block)->x.body[lane] == c->body[1 - flipped];
+}
+
+static int32_t lane_is_empty(const cn_world *world, int32_t block, int32_t lane)
+{
+	const cni_block_info *info = cni_block_info_at(world, block);
+	const cni_contact_block *rows = cni_block_at(world, block);
+	return info->contact[lane] == CNI_NONE && rows->ia[lane] == 0 && rows->ib[lane] == 0 && !(info->anchored >> lane & 1u);
+}
+
+/* Blocks of a colour; CNI_NONE: they are not as its lanes want. */
+static int32_t blocks_of_color(const cn_world *world, int32_t color)
+{
+	const cni_color *group = &world->colors[color];
+	int32_t block = group->first, before = CNI_NONE, count = 0, lanes = group->lanes, lane;
+	for (; block != CNI_NONE; block = cni_block_info_at(world, block)->next) {
+		const cni_block_info *info = cni_block_info_at(world, block);
+		if (info->color != color || info->prev != before || lanes <= 0)
+			return CNI_NONE;
+		for (lane = 0; lane < CNI_LANES; ++lane)
+			if (lane < lanes ? !lane_holds(world, block, lane) : !lane_is_empty(world, block, lane))
+				return CNI_NONE;
+		lanes -= cni_min_i(lanes, CNI_LANES);
+		before = block;
+		++count;
+	}
+	return lanes == 0 && group->last == before ? count : CNI_NONE;
+}
+
+static int32_t extra_rows_hold(const cn_world *world)
+{
+	int32_t k;
+	for (k = 0; k < world->block_used; ++k)
+		if (cni_block_info_at(world, k)->color != CNI_NONE && (cni_block_info_at(world, k)->flags & CNI_BLOCK_EXTRA) && cni_block_extra_at(world, k) == NULL)
+			return 0;
+	return 1;
+}
+
+static int32_t blocks_hold(const cn_world *world)
+{
+	int32_t color, used = 0, k, free_blocks = 0;
+	for (color = 0; color < CNI_COLORS; ++color) {
+		int32_t count = blocks_of_color(world, color);
+		if (count == CNI_NONE)
+			return 0;
+		used += count;
+	}
+	for (k = world->block_free; k != CNI_NONE; k = cni_block_info_at(world, k)->next)
+		++free_blocks;
+	return used + free_blocks == world->block_used && extra_rows_hold(world);
+}
+
+/* ---- joints ---- */
+
+static int32_t is_dynamic(const cn_world *world, int32_t body) { return body != CNI_NONE && cni_body_at(world, body)->type == CN_BODY_DYNAMIC; }
+
+static int32_t joint_holds(const cn_world *world, int32_t joint)
+{
+	const cni_joint *j = cni_joint_at(world, joint);
+	int32_t side;
+	for (side = 0; side < 2; ++side)
+		if (j->body[side] != CNI_NONE && !body_alive(world, j->body[side]))
+			return 0;
+	if (j->body[0] == j->body[1] || (cni_joint_is_constraint(j->type) && (j->body[0] != CNI_NONE || j->body[1] == CNI_NONE)))
+		return 0;
+	if (j->linked != (cni_joint_is_enabled(world, j) && j->type != CN_JOINT_FILTER && is_dynamic(world, j->body[0]) && is_dynamic(world, j->body[1])))
+		return 0;
+	if (j->linked && (cni_body_at(world, j->body[0])->island == CNI_NONE || cni_body_at(world, j->body[0])->island != cni_body_at(world, j->body[1])->island))
+		return 0;
+	return j->awake == CNI_NONE || (j->awake < world->awake_joints.count && ((const int32_t *)world->awake_joints.data)[j->awake] == joint);
+}
+
+static int32_t joints_hold(const cn_world *world)
+{
+	int32_t k;
+	for (k = 0; k < world->joint_handles.slots.count; ++k)
+		if (cni_handles_alive(&world->joint_handles, k) && !joint_holds(world, k))
+			return 0;
+	for (k = 0; k < world->awake_joints.count; ++k) {
+		int32_t joint = ((const int32_t *)world->awake_joints.data)[k];
+		if (!cni_handles_alive(&world->joint_handles, joint) || cni_joint_at(world, joint)->awake != k || cni_joint_at(world, joint)->type == CN_JOINT_FILTER)
+			return 0;
+	}
+	return 1;
+}
+
+/* The index of its contact in an event, CNI_NONE: it has none. */
+static int32_t event_contact(const cni_array *log, int32_t kind, int32_t k)
+{
+	if (kind == CN_EVENT_STAY)
+		return ((const cni_event_stay *)log->data)[k].contact;
+	return ((const cni_event *)log->data)[k].contact;
+}
+
+/* Users read as many points as it says. */
+static int32_t hit_holds(const cn_contact_event *e)
+{
+	return e->kind == CN_EVENT_HIT && e->manifold.point_count >= 0 && e->manifold.point_count <= 2;
+}
+
+static int32_t log_holds(const cni_array *log, int32_t kind)
+{
+	int32_t k;
+	for (k = 0; k < log->count; ++k)
+		if (kind == CN_EVENT_HIT ? !hit_holds((const cn_contact_event *)log->data + k) : event_contact(log, kind, k) == CNI_NONE)
+			return 0;
+	return 1;
+}
+
+/* Only in steps contacts stay and hit. */
+static int32_t events_hold(const cn_world *world)
+{
+	int32_t kind;
+	for (kind = 0; kind < CN_EVENT_KINDS; ++kind) {
+		const cni_array *pending = &world->events.pending[kind];
+		if (!log_holds(&world->events.log[kind], kind) || !(kind == CN_EVENT_STAY || kind == CN_EVENT_HIT ? pending->count == 0 : log_holds(pending, kind)))
+			return 0;
+	}
+	return 1;
+}
+
+static int32_t area_holds(const cn_world *world, const cni_area *a)
+{
+	const cni_shape *s;
+	if (a->shape < 0 || !cni_handles_alive(&world->shape_handles, a->shape))
+		return 0;
+	s = cni_shape_at(world, a->shape);
+	return s->type != CN_SHAPE_EDGE && s->type != CN_SHAPE_CHAIN && (a->flags & ~CNI_AREA_FLAGS) == 0 && a->pull_distance >= 0.0f && a->linear_damping >= 0.0f &&
+	       a->angular_damping >= 0.0f && a->density >= 0.0f && a->drag >= 0.0f && a->lift >= 0.0f;
+}
+
+/* A shape with two areas of different priorities would do no harm. */
+static int32_t areas_hold(const cn_world *world)
+{
+	const cni_area *areas = cni_areas(world);
+	int32_t k;
+	for (k = 0; k < world->areas.count; ++k)
+		if (!area_holds(world, areas + k) || (k > 0 && !cni_area_is_before(areas + k - 1, areas + k)))
+			return 0;
+	return 1;
+}
+
+int32_t cni_file_world_holds(const cn_world *world)
+{
+	return areas_hold(world) && records_hold(world) && body_lists_hold(world) && awake_bodies_hold(world) && islands_hold(world) && contacts_hold(world) && sleep_lanes_hold(world) &&
+	       blocks_hold(world) && joints_hold(world) && events_hold(world);
+}

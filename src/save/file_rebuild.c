@@ -1,0 +1,409 @@
+/*
+ * save/file_rebuild.c - what follows from the records of a file: pieces of memory (geometry, names, proxy ids), counts, the look-ahead
+ * of the free contacts, and the broadphase.
+ *
+ * A broadphase only answers which boxes overlap, in an order that is sorted afterwards, so a new one gives the bits of the
+ * written one.
+ */
+#include "save/file.h"
+
+#include <string.h>
+
+/* ---- geometry: a piece for each live shape, in their order ---- */
+
+static int32_t points_are_possible(int32_t type, uint32_t count, uint32_t seams)
+{
+	switch (type) {
+	case CN_SHAPE_CIRCLE: return count == 1;
+	case CN_SHAPE_CAPSULE:
+	case CN_SHAPE_EDGE: return count == 2;
+	case CN_SHAPE_POLYGON: return count >= 3 && count <= CN_POLYGON_MAX_VERTICES;
+	case CN_SHAPE_CHAIN: return count <= 65535 && seams <= 1 && count >= (seams ? 3u : 2u);
+	default: return 0;
+	}
+}
+
+/* Words of a geometry in the file: count, seams, radius, centroid (2), extent, inner radius, points and normals. */
+static uint32_t geometry_words(int32_t type, uint32_t count)
+{
+	return ((uint32_t)cni_geometry_bytes(type, (int32_t)count) - (uint32_t)sizeof(cni_geometry)) / 4u + 7u;
+}
+
+static float float_pass(cni_file *f, float x)
+{
+	uint32_t word;
+	memcpy(&word, &x, sizeof word);
+	word = cni_file_word(f, word);
+	if ((word & 0x7F800000u) == 0x7F800000u) {
+		cni_file_fail(f, CN_ERROR_FORMAT);
+		return 0.0f;
+	}
+	memcpy(&x, &word, sizeof x);
+	return x;
+}
+
+static void geometry_pass(cni_file *f, cni_geometry *g)
+{
+	float *vectors = (float *)(void *)(g + 1);
+	uint32_t k, count = geometry_words(g->type, (uint32_t)g->count) - 7u;
+	g->radius = float_pass(f, g->radius);
+	g->centroid.x = float_pass(f, g->centroid.x);
+	g->centroid.y = float_pass(f, g->centroid.y);
+	g->extent = float_pass(f, g->extent);
+	g->inner_radius = float_pass(f, g->inner_radius);
+	for (k = 0; k < count; ++k)
+		vectors[k] = float_pass(f, vectors[k]);
+	if (g->radius < 0.0f || g->extent < 0.0f || g->inner_radius < 0.0f)
+		cni_file_fail(f, CN_ERROR_FORMAT);
+}
+
+static void geometry_read(cn_world *world, cni_file *f, cni_shape *s)
+{
+	uint32_t count = cni_file_word(f, 0), seams = cni_file_word(f, 0);
+	cni_geometry *g;
+	if (f->result == CN_OK && !points_are_possible(s->type, count, seams))
+		cni_file_fail(f, CN_ERROR_FORMAT);
+	if (f->result == CN_OK && cni_file_left(f) / 4u < geometry_words(s->type, count) - 2u)
+		cni_file_fail(f, CN_ERROR_FORMAT);
+	if (f->result != CN_OK)
+		return;
+	s->geometry = cni_blocks_alloc(&world->blocks, cni_shape_piece_bytes(world, s->type, (int32_t)count));
+	if (s->geometry == 0) {
+		cni_file_fail(f, CN_ERROR_MEMORY);
+		return;
+	}
+	g = (cni_geometry *)cni_blocks_at(&world->blocks, s->geometry);
+	memset(g, 0, sizeof *g);
+	g->type = s->type;
+	g->count = (int32_t)count;
+	g->seams = seams;
+	geometry_pass(f, g);
+	s->box.proxy = CNI_NONE;
+	if (s->type == CN_SHAPE_CHAIN)
+		s->box.proxies = 0;
+}
+
+static void geometry_write(const cn_world *world, cni_file *f, const cni_shape *s)
+{
+	const cni_geometry *g = cni_shape_geometry(&world->blocks, s);
+	cni_geometry head = *g;
+	const float *vectors = (const float *)(const void *)(g + 1);
+	uint32_t k, count = geometry_words(g->type, (uint32_t)g->count) - 7u;
+	(void)cni_file_word(f, (uint32_t)head.count);
+	(void)cni_file_word(f, head.seams);
+	(void)float_pass(f, head.radius);
+	(void)float_pass(f, head.centroid.x);
+	(void)float_pass(f, head.centroid.y);
+	(void)float_pass(f, head.extent);
+	(void)float_pass(f, head.inner_radius);
+	for (k = 0; k < count; ++k)
+		(void)float_pass(f, vectors[k]);
+}
+
+static uint64_t geometries_words(const cn_world *world)
+{
+	uint64_t words = 0;
+	int32_t k;
+	for (k = 0; k < world->shape_handles.slots.count; ++k) {
+		const cni_shape *s = cni_shape_at(world, k);
+		if (cni_handles_alive(&world->shape_handles, k))
+			words += geometry_words(s->type, (uint32_t)cni_shape_geometry(&world->blocks, s)->count);
+	}
+	return words;
+}
+
+static void geometries_pass(cn_world *world, cni_file *f)
+{
+	uint32_t stride;
+	int32_t count = f->mode == CNI_FILE_READ ? 0 : (int32_t)geometries_words(world), k;
+	(void)cni_file_chunk(f, "GEOM", 4, count, &stride);
+	if (stride != 4)
+		cni_file_fail(f, CN_ERROR_FORMAT);
+	for (k = 0; k < world->shape_handles.slots.count && f->result == CN_OK; ++k) {
+		if (!cni_handles_alive(&world->shape_handles, k))
+			continue;
+		if (f->mode == CNI_FILE_READ)
+			geometry_read(world, f, cni_shape_at(world, k));
+		else
+			geometry_write(world, f, cni_shape_at(world, k));
+	}
+	if (f->mode == CNI_FILE_READ && cni_file_left(f) > 0)
+		cni_file_fail(f, CN_ERROR_FORMAT);
+}
+
+/* ---- materials' user ids: shape, id */
+
+static int32_t material_ids_count(const cn_world *world)
+{
+	int32_t count = 0, k;
+	for (k = 0; k < world->shape_handles.slots.count; ++k)
+		count += cni_handles_alive(&world->shape_handles, k) && cni_shape_material_id(&world->blocks, cni_shape_at(world, k)) != 0;
+	return count;
+}
+
+static void material_ids_write(cn_world *world, cni_file *f)
+{
+	uint32_t stride;
+	int32_t k;
+	(void)cni_file_chunk(f, "SMAT", 8, material_ids_count(world), &stride);
+	for (k = 0; k < world->shape_handles.slots.count; ++k) {
+		uint32_t id = cni_handles_alive(&world->shape_handles, k) ? cni_shape_material_id(&world->blocks, cni_shape_at(world, k)) : 0u;
+		if (id == 0)
+			continue;
+		(void)cni_file_word(f, (uint32_t)k);
+		(void)cni_file_word(f, id);
+	}
+}
+
+static void material_ids_read(cn_world *world, cni_file *f)
+{
+	uint32_t stride;
+	int32_t count = cni_file_chunk(f, "SMAT", 8, 0, &stride), k;
+	if (stride != 8)
+		cni_file_fail(f, CN_ERROR_FORMAT);
+	for (k = 0; k < count && f->result == CN_OK; ++k) {
+		uint32_t shape = cni_file_word(f, 0), id = cni_file_word(f, 0);
+		cni_shape *s;
+		if (f->result != CN_OK || shape >= (uint32_t)world->shape_handles.slots.count || !cni_handles_alive(&world->shape_handles, (int32_t)shape)) {
+			cni_file_fail(f, CN_ERROR_FORMAT);
+			return;
+		}
+		s = cni_shape_at(world, (int32_t)shape);
+		if (!cni_shape_reserve_extra(world, s))
+			cni_file_fail(f, CN_ERROR_MEMORY);
+		else
+			cni_shape_extra_of(&world->blocks, s)->material_id = id;
+	}
+}
+
+/* ---- names: body (4), length (1), letters ---- */
+
+static const char *name_of(const cn_world *world, int32_t body)
+{
+	cni_ref ref = cni_handles_alive(&world->body_handles, body) ? cni_body_at(world, body)->name : 0;
+	return ref != 0 ? (const char *)cni_blocks_at(&world->blocks, ref) : NULL;
+}
+
+static void names_write(cn_world *world, cni_file *f)
+{
+	int32_t pass, k, bytes = 0;
+	uint32_t stride;
+	for (pass = 0; pass < 2; ++pass) {
+		if (pass == 1)
+			(void)cni_file_chunk(f, "NAME", 1, bytes, &stride);
+		for (k = 0; k < world->body_handles.slots.count; ++k) {
+			const char *name = name_of(world, k);
+			uint8_t length = 0;
+			if (name == NULL)
+				continue;
+			while (name[length] != 0) /* at most CN_NAME_MAX_BYTES */
+				++length;
+			bytes += 5 + length;
+			if (pass == 0)
+				continue;
+			(void)cni_file_word(f, (uint32_t)k);
+			cni_file_raw(f, &length, 1);
+			cni_file_raw(f, (uint8_t *)(uintptr_t)name, length); /* which is only read */
+		}
+	}
+}
+
+static void name_read(cn_world *world, cni_file *f)
+{
+	uint32_t body = cni_file_word(f, 0);
+	uint8_t length = 0;
+	char name[CN_NAME_MAX_BYTES + 1];
+	cn_result named;
+	memset(name, 0, sizeof name);
+	cni_file_raw(f, &length, 1);
+	if (f->result != CN_OK || body >= (uint32_t)world->body_handles.slots.count || length == 0 || length > CN_NAME_MAX_BYTES || name_of(world, (int32_t)body) != NULL ||
+	    !cni_handles_alive(&world->body_handles, (int32_t)body)) {
+		cni_file_fail(f, CN_ERROR_FORMAT);
+		return;
+	}
+	cni_file_raw(f, (uint8_t *)name, length);
+	named = f->result == CN_OK ? cn_body_set_name(world, cni_handles_of(&world->body_handles, (int32_t)body), name) : CN_OK;
+	if (named != CN_OK)
+		cni_file_fail(f, named);
+}
+
+static void names_read(cn_world *world, cni_file *f)
+{
+	uint32_t stride;
+	(void)cni_file_chunk(f, "NAME", 1, 0, &stride);
+	if (stride != 1)
+		cni_file_fail(f, CN_ERROR_FORMAT);
+	while (cni_file_left(f) > 0)
+		name_read(world, f);
+}
+
+void cni_file_pieces(cn_world *world, cni_file *f)
+{
+	geometries_pass(world, f);
+	if (f->mode == CNI_FILE_READ) {
+		material_ids_read(world, f);
+		names_read(world, f);
+	} else {
+		material_ids_write(world, f);
+		names_write(world, f);
+	}
+}
+
+/* ---- counts, and room as there was when the records were made ---- */
+
+static void bodies_count(cn_world *world)
+{
+	int32_t k;
+	world->awake_count = world->awake_id.count;
+	for (k = 0; k < world->body_handles.slots.count; ++k)
+		world->movable_count += cni_handles_alive(&world->body_handles, k) && cni_body_at(world, k)->type != CN_BODY_STATIC;
+	for (k = 0; k < world->joint_handles.slots.count; ++k)
+		world->constraint_count += cni_handles_alive(&world->joint_handles, k) && cni_joint_is_constraint(cni_joint_at(world, k)->type);
+}
+
+static void pools_count(cn_world *world)
+{
+	int32_t k;
+	for (k = 0; k < world->proxy_used; ++k)
+		world->proxy_count += (cni_proxy_at(world, k)->flags & CNI_PROXY_ALIVE) != 0;
+	world->proxy_free_count = world->proxy_used - world->proxy_count;
+	for (k = 0; k < world->contact_used; ++k) {
+		const cni_contact *c = cni_contact_at(world, k);
+		world->contact_count += c->body[0] != CNI_NONE;
+		world->contacts_reporting += c->body[0] != CNI_NONE && cni_contact_reports(c->flags);
+		world->touching_count += c->body[0] != CNI_NONE && (c->flags & CNI_CONTACT_TOUCHING);
+	}
+	for (k = 0; k < world->island_used; ++k)
+		world->island_count += cni_island_at(world, k)->first != CNI_NONE;
+}
+
+/* See record_take in model/contact.c: a free record has the indices of the five after it. */
+static void free_contacts_link(cn_world *world)
+{
+	int32_t contact = world->contact_free, k;
+	while (contact != CNI_NONE) {
+		cni_contact *c = cni_contact_at(world, contact);
+		int32_t *ahead[4], next = c->slot;
+		ahead[0] = &c->next[0];
+		ahead[1] = &c->next[1];
+		ahead[2] = &c->prev[0];
+		ahead[3] = &c->prev[1];
+		for (k = 0; k < 4; ++k) {
+			next = next != CNI_NONE ? cni_contact_at(world, next)->slot : CNI_NONE;
+			*ahead[k] = next;
+		}
+		contact = c->slot;
+	}
+}
+
+void cni_file_counts(cn_world *world, cni_file *f)
+{
+	int32_t movable, good;
+	if (f->mode != CNI_FILE_READ || f->result != CN_OK)
+		return;
+	bodies_count(world);
+	pools_count(world);
+	free_contacts_link(world);
+	movable = world->movable_count;
+	if (world->awake_count < 1 || world->awake_count > movable + 1 || world->motion.count != world->awake_count || world->start.count != world->awake_count ||
+	    world->external.count != world->awake_count || world->previous.count > world->body_handles.slots.count) {
+		cni_file_fail(f, CN_ERROR_FORMAT);
+		return;
+	}
+	cni_dummy_stand(world);
+	good = cni_body_reserve(world, 0) == CN_OK && cni_lane_reserve(world, world->touching_count) && cni_contact_reserve(world, 0) == CN_OK &&
+	       (!world->memory.fixed || cni_contact_reserve_reports(world, world->contacts_reporting)) && cni_island_reserve(world, 0) && cni_joint_reserve(world, 0) == CN_OK;
+	if (!good)
+		cni_file_fail(f, CN_ERROR_MEMORY);
+}
+
+/* ---- boxes ---- */
+
+/* Where the shape has the proxy of a child; NULL: it cannot have one. */
+static int32_t *proxy_place(cn_world *world, cni_file *f, const cni_proxy *p)
+{
+	cni_shape *s;
+	int32_t child = cni_proxy_child(p), k;
+	if (!cni_handles_alive(&world->shape_handles, p->shape))
+		return NULL;
+	s = cni_shape_at(world, p->shape);
+	if (child >= cni_shape_children(&world->blocks, s) || !cni_handles_alive(&world->body_handles, s->body))
+		return NULL;
+	if (s->type != CN_SHAPE_CHAIN)
+		return &s->box.proxy;
+	if (s->box.proxies == 0) {
+		s->box.proxies = cni_blocks_alloc(&world->blocks, cni_shape_ids_bytes(world, cni_shape_children(&world->blocks, s)));
+		if (s->box.proxies == 0) {
+			cni_file_fail(f, CN_ERROR_MEMORY);
+			return NULL;
+		}
+		for (k = 0; k < cni_shape_children(&world->blocks, s); ++k)
+			((int32_t *)cni_blocks_at(&world->blocks, s->box.proxies))[k] = CNI_NONE;
+	}
+	return (int32_t *)cni_blocks_at(&world->blocks, s->box.proxies) + child;
+}
+
+static void proxy_read(cn_world *world, cni_file *f, int32_t proxy)
+{
+	cni_proxy *p = cni_proxy_at(world, proxy);
+	int32_t *place;
+	if (!(p->flags & CNI_PROXY_ALIVE))
+		return;
+	place = proxy_place(world, f, p);
+	if (place == NULL || *place != CNI_NONE || (p->flags & CNI_PROXY_AGAIN)) {
+		cni_file_fail(f, CN_ERROR_FORMAT);
+		return;
+	}
+	*place = proxy;
+	p->geometry = cni_shape_at(world, p->shape)->geometry;
+}
+
+static int32_t no_pair(const void *context, int32_t proxy_a, int32_t proxy_b)
+{
+	(void)context;
+	(void)proxy_a;
+	(void)proxy_b;
+	return 0;
+}
+
+/* As after an update that saw all boxes that are at rest, with those added since that have moved. */
+static void broadphase_fill(cn_world *world)
+{
+	const cni_broadphase_ops *ops = world->broadphase_ops;
+	cni_broadphase_pairs none;
+	int32_t k, moved;
+	memset(&none, 0, sizeof none);
+	cni_array_init(&none.list, (int32_t)sizeof(cni_pair));
+	for (moved = 0; moved < 2; ++moved) {
+		for (k = 0; k < world->proxy_used; ++k) {
+			cni_proxy *p = cni_proxy_at(world, k);
+			cni_aabb old = p->old;
+			if (!(p->flags & CNI_PROXY_ALIVE) || ((p->flags & CNI_PROXY_MOVED) != 0) != moved)
+				continue;
+			ops->add(world->broadphase, k);
+			if (moved)
+				p->old = old;
+		}
+		if (!moved)
+			ops->update(world->broadphase, no_pair, NULL, &none); /* all of them are old boxes now */
+	}
+	ops->settle(world->broadphase);
+	cni_array_deinit(&none.list, &world->memory);
+}
+
+void cni_file_broadphase(cn_world *world, cni_file *f)
+{
+	if (f->result != CN_OK || world->proxy_used == 0)
+		return;
+	if (cni_proxy_reserve(world, 0) != CN_OK || !world->broadphase_ops->reserve(world->broadphase, world->proxy_count))
+		cni_file_fail(f, CN_ERROR_MEMORY);
+	else
+		broadphase_fill(world);
+}
+
+void cni_file_boxes(cn_world *world, cni_file *f)
+{
+	int32_t k;
+	for (k = 0; k < world->proxy_used && f->result == CN_OK; ++k)
+		proxy_read(world, f, k);
+}

@@ -1,0 +1,86 @@
+/*
+ * save/hash.c - one number for the state of a world (FNV-1a: Fowler, Noll, Vo, 1991).
+ *
+ * Values are hashed as little-endian bytes on every machine, so that histories can be compared between
+ * machines. Order: bodies, touching contacts, then joints with solver memory (cni_joint_trust), each by slot.
+ */
+#include "world/error.h"
+
+#include <string.h>
+
+static uint64_t hash_word(uint64_t hash, uint32_t word)
+{
+	int32_t k;
+	for (k = 0; k < 4; ++k)
+		hash = (hash ^ (word >> 8 * k & 0xFFu)) * 0x100000001B3u;
+	return hash;
+}
+
+static uint64_t hash_float(uint64_t hash, float x)
+{
+	uint32_t word;
+	memcpy(&word, &x, sizeof word);
+	return hash_word(hash, word);
+}
+
+static uint64_t hash_body(uint64_t hash, const cn_world *world, const cni_body *b)
+{
+	cn_velocity v = cni_body_velocity(world, b);
+	hash = hash_float(hash, b->cx);
+	hash = hash_float(hash, b->cy);
+	hash = hash_float(hash, b->cx_low);
+	hash = hash_float(hash, b->cy_low);
+	hash = hash_float(hash, b->q.c);
+	hash = hash_float(hash, b->q.s);
+	hash = hash_float(hash, v.linear_mps.x);
+	hash = hash_float(hash, v.linear_mps.y);
+	hash = hash_float(hash, v.angular_radps);
+	return hash_word(hash, b->awake != 0);
+}
+
+static uint64_t hash_contact(uint64_t hash, const cn_world *world, int32_t contact)
+{
+	cn_contact_event e;
+	int32_t k;
+	cni_contact_describe(world, contact, 0, &e);
+	hash = hash_word(hash, (uint32_t)contact);
+	hash = hash_float(hash, e.manifold.friction_impulse_Ns);
+	for (k = 0; k < e.manifold.point_count; ++k)
+		hash = hash_float(hash, e.manifold.points[k].normal_impulse_Ns);
+	return hash;
+}
+
+static uint64_t hash_joint(uint64_t hash, const cn_world *world, int32_t joint)
+{
+	const cni_joint_trust *t = &cni_joint_at(world, joint)->trust;
+	int32_t waits = t->span > 0 && t->until > world->step_count;
+	if (t->surplus == 0.0f && t->span == 0)
+		return hash;
+	hash = hash_word(hash, (uint32_t)joint);
+	hash = hash_float(hash, t->surplus);
+	hash = hash_word(hash, waits ? t->until - world->step_count : 0);
+	return hash_word(hash, (uint32_t)t->span << 16 | t->soft);
+}
+
+cn_result cn_world_hash(const cn_world *world, uint64_t *out_hash)
+{
+	cni_call call = cni_enter_const(world);
+	uint64_t hash = 0xCBF29CE484222325u;
+	int32_t k, count;
+	cni_check_pointer(&call, "out_hash", out_hash);
+	if (call.result != CN_OK)
+		return call.result;
+	count = cni_handles_used(&world->body_handles);
+	for (k = 0; k < count; ++k)
+		if (cni_handles_alive(&world->body_handles, k))
+			hash = hash_body(hash, world, cni_body_at(world, k));
+	for (k = 0; k < world->contact_used; ++k)
+		if (cni_contact_at(world, k)->flags & CNI_CONTACT_TOUCHING)
+			hash = hash_contact(hash, world, k);
+	count = cni_handles_used(&world->joint_handles);
+	for (k = 0; k < count; ++k)
+		if (cni_handles_alive(&world->joint_handles, k))
+			hash = hash_joint(hash, world, k);
+	*out_hash = hash;
+	return CN_OK;
+}
