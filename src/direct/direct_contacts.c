@@ -278,12 +278,21 @@ static int32_t set_solve(cni_direct_contact_pass *q)
 	return 1;
 }
 
-/* Interior-point work that the island has spent, a contact, less its refill since. */
-static int32_t cone_debt(const cni_direct_contact_pass *q)
+int32_t cni_cone_debt(const cn_world *world, const cni_island *i)
 {
-	uint32_t passed = q->world->step_count - q->island->cone_paid_step;
-	int32_t spent = q->island->cone_spent;
-	return passed <= (uint32_t)(spent / CNI_CONE_REFILL) ? spent - (int32_t)passed * CNI_CONE_REFILL : 0;
+	uint32_t passed = world->step_count - i->cone_paid_step;
+	return passed <= (uint32_t)(i->cone_spent / CNI_CONE_REFILL) ? i->cone_spent - (int32_t)passed * CNI_CONE_REFILL : 0;
+}
+
+static void cone_debt_set(const cn_world *world, cni_island *i, int32_t debt)
+{
+	i->cone_spent = debt;
+	i->cone_paid_step = world->step_count;
+}
+
+void cni_cone_motion_owes(const cn_world *world, cni_island *i)
+{
+	cone_debt_set(world, i, cni_max_i(cni_cone_debt(world, i), CNI_CONE_DEBT - CNI_CONE_MOVED));
 }
 
 /* 1: the interior-point method may run. Once admitted in a step it may run in all substeps, as long as the island's debt allows. A relax pass
@@ -293,7 +302,7 @@ static int32_t cone_is_admitted(const cni_direct_contact_pass *q)
 	if (!q->bias && q->c->cone_admitted)
 		return 1;
 	if (q->world->settings.solver == CN_SOLVER_AUTO) {
-		if (was_moving(q) || cone_debt(q) > CNI_CONE_DEBT)
+		if (was_moving(q) || cni_cone_debt(q->world, q->island) > CNI_CONE_DEBT)
 			return 0;
 		if (!q->c->cone_admitted && q->world->cone_work + cone_cost(q) > CNI_CONE_WORK)
 			return 0;
@@ -307,8 +316,7 @@ static int32_t cone_is_admitted(const cni_direct_contact_pass *q)
 static void cone_pay(const cni_direct_contact_pass *q, int32_t factors, int32_t good)
 {
 	int32_t work = factors * cni_cone_factor_work(q->c) / (q->c->end - q->c->begin);
-	q->island->cone_spent = cone_debt(q) + (good ? work : CNI_CONE_FAILED + work);
-	q->island->cone_paid_step = q->world->step_count;
+	cone_debt_set(q->world, q->island, cni_cone_debt(q->world, q->island) + (good ? work : CNI_CONE_FAILED + work));
 }
 
 /* The next passes start from its impulses: starting from none would find redundant ones, some of them negative. */

@@ -144,8 +144,10 @@ static void island_mark_bad(cn_world *world, int32_t island, int32_t reason)
 		return;
 	if (world->direct_islands.count >= ISLANDS_MOST || 2 * i->count > CNI_DIRECT_CONTACT_MOST)
 		i->reason = CN_TIER_REASON_CROWDED;
-	else if (!cni_island_is_quiet(world, i))
+	else if (!cni_island_is_quiet(world, i)) {
 		i->reason = CN_TIER_REASON_MOVING;
+		cni_cone_motion_owes(world, i);
+	}
 	else if (cni_island_has_joints(world, island))
 		i->reason = CN_TIER_REASON_JOINTED;
 	else if (!island_has_waited(world, i))
