@@ -295,6 +295,11 @@ void cni_cone_motion_owes(const cn_world *world, cni_island *i)
 	cone_debt_set(world, i, cni_max_i(cni_cone_debt(world, i), CNI_CONE_DEBT - CNI_CONE_MOVED));
 }
 
+static int32_t work_a_contact(const cni_direct_contact_pass *q)
+{
+	return cni_cone_factor_work(q->c) / (q->c->end - q->c->begin);
+}
+
 /* 1: the interior-point method may run. Once admitted in a step it may run in all substeps, as long as the island's debt allows. A relax pass
    takes out the speed of the pushes that the pass before it has made, whatever is owed. */
 static int32_t cone_is_admitted(const cni_direct_contact_pass *q)
@@ -302,7 +307,7 @@ static int32_t cone_is_admitted(const cni_direct_contact_pass *q)
 	if (!q->bias && q->c->cone_admitted)
 		return 1;
 	if (q->world->settings.solver == CN_SOLVER_AUTO) {
-		if (was_moving(q) || cni_cone_debt(q->world, q->island) > CNI_CONE_DEBT)
+		if (was_moving(q) || cni_cone_debt(q->world, q->island) + CNI_CONE_FACTORS_LEAST * work_a_contact(q) > CNI_CONE_DEBT)
 			return 0;
 		if (!q->c->cone_admitted && q->world->cone_work + cone_cost(q) > CNI_CONE_WORK)
 			return 0;
@@ -315,7 +320,7 @@ static int32_t cone_is_admitted(const cni_direct_contact_pass *q)
 /* A failed attempt costs more than its work: in a heap that settles the next one would mostly fail too. */
 static void cone_pay(const cni_direct_contact_pass *q, int32_t factors, int32_t good)
 {
-	int32_t work = factors * cni_cone_factor_work(q->c) / (q->c->end - q->c->begin);
+	int32_t work = factors * work_a_contact(q);
 	cone_debt_set(q->world, q->island, cni_cone_debt(q->world, q->island) + (good ? work : CNI_CONE_FAILED + work));
 }
 

@@ -891,7 +891,7 @@ static const arch_scene arch_scenes[ARCH_SCENES] = {
 	{ "sequential", scene_sequential, 0x14673e5a64320f7c },
 	{ "queries", scene_queries, 0x9078b2fad7e8282c },
 	{ "events", scene_events, 0x591c1ec096b3553a },
-	{ "file", scene_file, 0x01f309d2ed515042 },
+	{ "file", scene_file, 0x5c8f678841790fdc },
 };
 
 /* The number of a scene; 0 if a call failed: arch_failed_line. */

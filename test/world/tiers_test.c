@@ -825,7 +825,7 @@ static void t_what_was_poured_spends_little(void)
 		}
 		cn_world_destroy(world);
 	}
-	CHECK_LE("steps with interior points, of 12 heaps", steps, 30, "");
+	CHECK_LE("steps with interior points, of 12 heaps", steps, 16, "");
 }
 
 /* Rounds in which only sliding impulses do not match keep their set, so heaps that came to rest in a bowl are refused less often. */
