@@ -138,6 +138,7 @@ static const struct family_table {
 } tables[] = {
 	{ cloth_families, &cloth_family_count },
 	{ mechanism_families, &mechanism_family_count },
+	{ machine_families, &machine_family_count },
 	{ rope_families, &rope_family_count },
 	{ figure_families, &figure_family_count },
 	{ vehicle_families, &vehicle_family_count },
