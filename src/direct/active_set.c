@@ -98,5 +98,5 @@ int32_t cni_active_solve(cn_world *world, const cni_solve *s, cni_sparse *sparse
 void cni_component_solve(cn_world *world, const cni_solve *s, cni_component *c)
 {
 	if (!(c->active ? cni_active_solve(world, s, s->direct, c) : cni_direct_apply(world, s->direct, c)))
-		cni_component_suspend(world, s, s->direct, c, 0);
+		cni_component_suspend(world, s->direct, c, 0);
 }

@@ -43,44 +43,13 @@ void cni_component_release(cn_world *world, cni_sparse *sparse, cni_component *c
 	c->done = 1;
 }
 
-/* Part of a joint's impulses that gives its bodies at most the speed of CNI_JOINT_SOFT_STRESS weights. */
-static float soft_part(const cn_world *world, const cni_solve *s, const cni_joint_constraint *w)
-{
-	const cni_motion *a = cni_motions(world) + w->ia, *b = cni_motions(world) + w->ib;
-	float most = CNI_JOINT_SOFT_STRESS * cni_length(world->settings.gravity) * s->h, speed = 0.0f;
-	int32_t k;
-	for (k = 0; k < w->row_count; ++k) {
-		cni_lever l = cni_row_lever(&w->rows[k]);
-		speed = cni_max(speed, cni_abs(w->rows[k].impulse) * cni_lever_inverse_mass(&l, a, b));
-	}
-	if (w->row_count == 0)
-		speed = cni_sqrt(w->record->impulse[0] * w->record->impulse[0] + w->record->impulse[1] * w->record->impulse[1]) * cni_max(a->inv_mass, b->inv_mass);
-	return speed > most ? most / speed : 1.0f;
-}
-
-/*
- * The soft solver starts from the impulses of the direct one only as far as it could find them itself. A motor with a great force bound, or
- * a toggle near its dead centre, drives an exact mechanism by impulses that cancel; soft joints that started from them would throw it.
- */
-static void impulses_soften(cn_world *world, const cni_solve *s, cni_joint_constraint *w)
-{
-	cni_joint *j = cni_joint_at(world, w->joint);
-	float part = soft_part(world, s, w);
-	int32_t k;
-	for (k = 0; part < 1.0f && k < CNI_JOINT_ROWS; ++k)
-		j->impulse[k] *= part;
-	for (k = 0; part < 1.0f && k < w->row_count; ++k)
-		w->rows[k].impulse *= part;
-}
-
-void cni_component_suspend(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c, int32_t span)
+void cni_component_suspend(cn_world *world, cni_sparse *sparse, cni_component *c, int32_t span)
 {
 	int32_t k;
 	for (k = c->begin; k < c->end; ++k) {
 		cni_joint_trust *t;
 		if (sparse->nodes[k].owner < 0)
 			continue;
-		impulses_soften(world, s, &cni_joint_constraints(world)[sparse->nodes[k].owner]);
 		t = &cni_joint_at(world, cni_joint_constraints(world)[sparse->nodes[k].owner].joint)->trust;
 		if (span == 0)
 			cni_trust_fail(t, world->step_count, 1);

@@ -120,7 +120,7 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 		c->regular = c->has_contacts ? CNI_REGULARIZATION_CONTACTS : c->loops ? CNI_REGULARIZATION_LOOPS : 0.0f;
 		c->uses_rattle = CNI_ON(SWINGS) && !c->has_contacts && cni_component_uses_rattle(world, s, out, c);
 		if (loop_is_better_soft(world, out, c))
-			cni_component_suspend(world, s, out, c, CNI_TRUST_MOST);
+			cni_component_suspend(world, out, c, CNI_TRUST_MOST);
 		else if (c->body_begin == c->body_end || is_better_alone(c))
 			cni_component_release(world, out, c);
 		else if (c->uses_rattle)

@@ -20,7 +20,7 @@ uint64_t cni_direct_plan_bytes(int32_t solver, int32_t joints, int32_t contacts,
 /* Returns the joints of the component to the soft solver for this step. */
 void cni_component_release(cn_world *world, cni_sparse *sparse, cni_component *c);
 /* ... and for `span` steps; 0: for a span that doubles with each failure. */
-void cni_component_suspend(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c, int32_t span);
+void cni_component_suspend(cn_world *world, cni_sparse *sparse, cni_component *c, int32_t span);
 /* 1: only the component's rigid joints constrain its bodies in this step. */
 int32_t cni_component_uses_rattle(const cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c);
 /* Levers, dampers and factors of a component for the world's substeps. */

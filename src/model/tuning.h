@@ -168,10 +168,6 @@ CNI_TUNING_COUNT(CNI_PROJECTION_ROUNDS, 4)
 CNI_TUNING_COUNT(CNI_TRUST_LEAST, 2)
 /* Limit of that, in steps. */
 CNI_TUNING_COUNT(CNI_TRUST_MOST, 256)
-/* Own weights, up to which the soft solver starts from the impulses of joints that were solved directly. Of 60 scissor lifts 15 came apart
-   without a limit, at the speed limit some of them; 1 is worse than soft constraints with 300, 2 with 1,000, 10 with 3,000. With 100 a
-   bridge under 50 times its planks' weight stretches by a tenth more. */
-CNI_TUNING_FLOAT(CNI_JOINT_SOFT_STRESS, 300.0f)
 
 /* ---------------------------------------------------------------- direct: contacts */
 
