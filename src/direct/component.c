@@ -43,6 +43,13 @@ void cni_component_release(cn_world *world, cni_sparse *sparse, cni_component *c
 	c->done = 1;
 }
 
+float cni_direct_soft_part(const cn_world *world, float impulse, int32_t ia, int32_t ib, float h)
+{
+	float speed = impulse * cni_max(cni_motions(world)[ia].inv_mass, cni_motions(world)[ib].inv_mass);
+	float most = CNI_DIRECT_SOFT_STRESS * cni_length(world->settings.gravity) * h;
+	return speed > most ? most / speed : 1.0f;
+}
+
 void cni_component_suspend(cn_world *world, cni_sparse *sparse, cni_component *c, int32_t span)
 {
 	int32_t k;
@@ -226,6 +233,21 @@ static int32_t is_bounded(const cn_world *world, const cni_sparse *sparse, const
 	return gain <= 1.1f * bound + 1e-6f * all; /* false for NaN */
 }
 
+/* The next substep begins without the impulses of dampers and locks: they act against the motion of one substep and are no loads. */
+static void dampers_forget(cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	const cni_motion *motions = cni_motions(world);
+	cni_velocity_start *starts = cni_starts(world);
+	int32_t k;
+	for (k = c->begin; k < c->end && c->width == CNI_NODE_ROWS; ++k) {
+		const cni_node *n = &sparse->nodes[k];
+		if (n->rows != 2 || n->owner < 0 || (n->active & CNI_ROW_IN_SET))
+			continue;
+		starts[n->ia].w += motions[n->ia].inv_inertia * n->lever[2].aw * n->x[2];
+		starts[n->ib].w += motions[n->ib].inv_inertia * n->lever[2].bw * n->x[2];
+	}
+}
+
 /* Rows of loops may be redundant, so their system may be nearly singular. When a solution exceeds its bound, it is solved again with a
    larger diagonal, which the component keeps for this step. */
 int32_t cni_direct_apply(cn_world *world, cni_sparse *sparse, cni_component *c)
@@ -234,6 +256,7 @@ int32_t cni_direct_apply(cn_world *world, cni_sparse *sparse, cni_component *c)
 		if (!cni_sparse_solve(sparse, c))
 			return 0;
 		cni_direct_push(world, sparse, c);
+		dampers_forget(world, sparse, c);
 		return 1;
 	}
 	sides_save(sparse, c, 0);
@@ -241,8 +264,10 @@ int32_t cni_direct_apply(cn_world *world, cni_sparse *sparse, cni_component *c)
 		cni_direct_motions_save(world, sparse, c, 0);
 		if (cni_sparse_solve(sparse, c)) {
 			cni_direct_push(world, sparse, c);
-			if (is_bounded(world, sparse, c))
+			if (is_bounded(world, sparse, c)) {
+				dampers_forget(world, sparse, c);
 				return 1;
+			}
 			cni_direct_motions_save(world, sparse, c, 1);
 			impulses_undo(world, sparse, c);
 		}

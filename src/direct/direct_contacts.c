@@ -60,15 +60,6 @@ static void impulses_scale(const cni_direct_contact_pass *q)
 	}
 }
 
-/* Part of a contact's impulses that gives the lighter body at most the speed of CNI_DIRECT_SOFT_STRESS of its weights. The soft
-   solver crushes such a body from any start, and throws a light body when the contacts on both sides of it do not cancel any more. */
-static float soft_part(const cni_direct_contact_pass *q, const cni_direct_contact *p, const cni_node *n)
-{
-	float speed = (p->first[0] + p->first[1]) * cni_max(q->motions[n->ia].inv_mass, q->motions[n->ib].inv_mass);
-	float most = CNI_DIRECT_SOFT_STRESS * cni_length(q->world->settings.gravity) * q->s->h;
-	return speed > most ? most / speed : 1.0f;
-}
-
 /*
  * No set was found: the soft solver continues from the velocities at the beginning of the substep and the impulses at the beginning of the
  * step. An exact solution sends an impact or a push through everything in its way: a body of a kilogram between two of a ton has the
@@ -88,7 +79,7 @@ static void soft_state_restore(const cni_direct_contact_pass *q)
 		if (p == NULL || !(all || p->untouched))
 			continue;
 		p->untouched = 1;
-		part = q->s->warm_scale * soft_part(q, p, n);
+		part = q->s->warm_scale * cni_direct_soft_part(q->world, p->first[0] + p->first[1], n->ia, n->ib, q->s->h);
 		for (i = 0; i < 3; ++i) {
 			p->j[i] = part * p->first[i];
 			if (i < 2)

@@ -88,6 +88,32 @@ static int32_t loop_is_better_soft(const cn_world *world, const cni_sparse *spar
 	return CNI_ON(SOFT_LOOPS) && is_loop_of_pins_and_rods(world, sparse, c) && !is_requested(world, sparse, c) && is_touched(world, sparse, c);
 }
 
+/*
+ * A straight loop between fixed ends bears tension of any size without moving, and a singular system answers to rounding with it: rods of a
+ * hung net had 1e5 times their weight. Exact joints cancel it in all bodies; soft ones would throw them. All impulses are scaled by one factor,
+ * so that they still cancel.
+ */
+static void impulses_soften(cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c)
+{
+	float part = 1.0f;
+	int32_t k, i;
+	for (k = c->begin; k < c->end; ++k) {
+		const cni_joint_constraint *w = cni_joint_constraints(world) + sparse->nodes[k].owner;
+		float sum = 0.0f;
+		for (i = 0; i < sparse->nodes[k].rows; ++i)
+			sum += cni_abs(w->record->impulse[i]);
+		part = cni_min(part, cni_direct_soft_part(world, sum, w->ia, w->ib, s->h));
+	}
+	for (k = c->begin; k < c->end; ++k) {
+		cni_joint_constraint *w = cni_joint_constraints(world) + sparse->nodes[k].owner;
+		float *impulse = cni_joint_at(world, w->joint)->impulse;
+		for (i = 0; i < CNI_JOINT_ROWS; ++i)
+			impulse[i] *= part;
+		for (i = 0; i < w->row_count; ++i)
+			w->rows[i].impulse *= part;
+	}
+}
+
 /* One joint to the world. */
 static int32_t is_better_alone(const cni_component *c)
 {
@@ -119,8 +145,10 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 			cni_component_prefetch(world, out, k + 1);
 		c->regular = c->has_contacts ? CNI_REGULARIZATION_CONTACTS : c->loops ? CNI_REGULARIZATION_LOOPS : 0.0f;
 		c->uses_rattle = CNI_ON(SWINGS) && !c->has_contacts && cni_component_uses_rattle(world, s, out, c);
-		if (loop_is_better_soft(world, out, c))
+		if (loop_is_better_soft(world, out, c)) {
+			impulses_soften(world, s, out, c);
 			cni_component_suspend(world, out, c, CNI_TRUST_MOST);
+		}
 		else if (c->body_begin == c->body_end || is_better_alone(c))
 			cni_component_release(world, out, c);
 		else if (c->uses_rattle)

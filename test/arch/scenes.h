@@ -886,8 +886,8 @@ typedef struct arch_scene {
 static const arch_scene arch_scenes[ARCH_SCENES] = {
 	{ "shapes", scene_shapes, 0x013c99c8a94b5923 },
 	{ "joints", scene_joints, 0x57a746ac8a36cddf },
-	{ "direct", scene_direct, 0x3b20c2ed6e0725d5 },
-	{ "tiers", scene_tiers, 0xadf16f02a86d3171 },
+	{ "direct", scene_direct, 0xdae756776798e53c },
+	{ "tiers", scene_tiers, 0x6538ed019744e950 },
 	{ "sequential", scene_sequential, 0x14673e5a64320f7c },
 	{ "queries", scene_queries, 0x9078b2fad7e8282c },
 	{ "events", scene_events, 0x591c1ec096b3553a },
