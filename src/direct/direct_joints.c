@@ -148,8 +148,7 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 		if (loop_is_better_soft(world, out, c)) {
 			impulses_soften(world, s, out, c);
 			cni_component_suspend(world, out, c, CNI_TRUST_MOST);
-		}
-		else if (c->body_begin == c->body_end || is_better_alone(c))
+		} else if (c->body_begin == c->body_end || is_better_alone(c))
 			cni_component_release(world, out, c);
 		else if (c->uses_rattle)
 			cni_sparse_clear(out, c);
