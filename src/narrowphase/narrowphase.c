@@ -22,8 +22,9 @@
 
 #include <string.h>
 
-/* Action of the second part for a contact. EVENTS: only sends events that are due. DEFERRED: not yet processed. */
-enum { CHANGE_NONE = 0, CHANGE_BEGIN = 1, CHANGE_END = 2, CHANGE_EVENTS = 3, CHANGE_DEFERRED = 4 };
+/* Action of the second part for a contact. EVENTS: only sends events that are due. DEFERRED: not yet processed. BEGIN_KEPT: begins
+   with a manifold that was kept. */
+enum { CHANGE_NONE = 0, CHANGE_BEGIN = 1, CHANGE_END = 2, CHANGE_EVENTS = 3, CHANGE_DEFERRED = 4, CHANGE_BEGIN_KEPT = 5 };
 
 static int32_t boxes_overlap(const cn_world *world, const cni_contact *c)
 {
@@ -115,19 +116,89 @@ static float motion_time(const cni_contact *c, float dt)
 	return c->flags & CNI_CONTACT_SENSOR ? 0.0f : dt;
 }
 
-/* Recomputes the manifold: few contacts begin in a step, and storing manifolds for all candidates would take more memory than
-   the contacts themselves. */
-static void change_begin(cn_world *world, int32_t contact, float dt)
+/* The manifold of a contact that begins. */
+typedef struct begun {
+	cni_manifold manifold;
+	cni_vec2 gap;
+	float radius[2];
+} begun;
+
+static begun begun_of(const cni_touch *t)
+{
+	begun b;
+	b.manifold = t->manifold;
+	b.gap = t->gap;
+	b.radius[0] = t->radius[0];
+	b.radius[1] = t->radius[1];
+	return b;
+}
+
+/*
+ * Manifolds that the first part keeps for the second. Storing one for each contact would take more memory than the contacts, so each
+ * group of successive contacts has room for a few, and those of the others are computed again. Pairs that are new in this step, of
+ * which more begin, are at the end of the list: their groups have room for all. Which are kept depends on the list alone: a group is
+ * processed by one worker, in order.
+ */
+typedef struct begun_store {
+	begun *kept;               /* NULL: none are kept */
+	uint8_t *counts;           /* of each group */
+	int32_t first_new;         /* group */
+	int32_t group, taken;      /* place of the next one that the second part takes */
+} begun_store;
+
+/* Contacts in a group. One worker looks at a group at least. */
+#define GROUP 64
+#define BEGUN_A_GROUP 4
+#define NEW_PART 12 /* at most one part of so many groups counts as new: all pairs are, in a world's first step */
+
+/* Room before a group. */
+static int32_t begun_room(const begun_store *store, int32_t group)
+{
+	return group <= store->first_new ? group * BEGUN_A_GROUP : store->first_new * BEGUN_A_GROUP + (group - store->first_new) * GROUP;
+}
+
+/* Returns CHANGE_BEGIN_KEPT if the manifold was kept. The slot of a contact that does not touch is its place in the list. */
+static int32_t begun_keep(begun_store *store, const cni_touch *t)
+{
+	int32_t group = t->contact->slot / GROUP;
+	if (store->kept == NULL || (t->contact->flags & CNI_CONTACT_SENSOR))
+		return CHANGE_BEGIN;
+	if (store->counts[group] == (group < store->first_new ? BEGUN_A_GROUP : GROUP))
+		return CHANGE_BEGIN;
+	store->kept[begun_room(store, group) + store->counts[group]++] = begun_of(t);
+	return CHANGE_BEGIN_KEPT;
+}
+
+/* Manifolds are taken in the order in which they were kept. */
+static const begun *begun_take(begun_store *store)
+{
+	while (store->taken == store->counts[store->group]) {
+		++store->group;
+		store->taken = 0;
+	}
+	return &store->kept[begun_room(store, store->group) + store->taken++];
+}
+
+/* Computes the manifold again. */
+static begun begun_again(const cn_world *world, int32_t contact, float dt)
 {
 	cni_touch_pair pair = cni_touch_pair_of(world, cni_contact_at(world, contact), contact);
 	cni_touch t;
-	if (!cni_touch_begin(world, &pair, dt, &t))
+	t.manifold.count = 0;
+	t.gap = cni_v(0.0f, 0.0f);
+	t.radius[0] = t.radius[1] = 0.0f;
+	if (cni_touch_begin(world, &pair, dt, &t)) {
+		cni_touch_collide(&t);
+		cni_touch_finish(world, dt, &t);
+	}
+	return begun_of(&t);
+}
+
+static void change_begin(cn_world *world, int32_t contact, const begun *b)
+{
+	if (b->manifold.count == 0)
 		return;
-	cni_touch_collide(&t);
-	cni_touch_finish(world, dt, &t);
-	if (t.manifold.count == 0)
-		return;
-	if (cni_contact_begin(world, contact, &t.manifold, t.gap, t.radius)) {
+	if (cni_contact_begin(world, contact, &b->manifold, b->gap, b->radius)) {
 		if (cni_contact_at(world, contact)->flags & CNI_CONTACT_PRE_SOLVE)
 			call_pre_solve(world, contact);
 		return;
@@ -152,7 +223,7 @@ static void sensor_change(cn_world *world, int32_t contact, int32_t change)
 		pair_end(world, contact);
 }
 
-static void change_apply(cn_world *world, int32_t contact, int32_t change, float dt)
+static void change_apply(cn_world *world, int32_t contact, int32_t change, begun_store *store, float dt)
 {
 	const cni_contact *c = cni_contact_at(world, contact);
 	if (c->flags & CNI_CONTACT_SENSOR) {
@@ -163,8 +234,12 @@ static void change_apply(cn_world *world, int32_t contact, int32_t change, float
 		cni_contact_send_deferred_events(world, contact, CNI_CONTACT_CREATED_OWED, CN_EVENT_CREATED);
 	if (change == CHANGE_EVENTS)
 		cni_contact_send_deferred_events(world, contact, CNI_CONTACT_ENTER_OWED, CN_EVENT_ENTER);
-	if (change == CHANGE_BEGIN)
-		change_begin(world, contact, dt);
+	if (change == CHANGE_BEGIN_KEPT) {
+		change_begin(world, contact, begun_take(store));
+	} else if (change == CHANGE_BEGIN) {
+		begun again = begun_again(world, contact, dt);
+		change_begin(world, contact, &again);
+	}
 	if (change != CHANGE_END)
 		return;
 	if ((c->flags & CNI_CONTACT_TOUCHING) && !cni_contact_end(world, contact))
@@ -298,8 +373,7 @@ static void window_collide(cn_world *world, window *w, int32_t count, float dt)
 #define RECORDS_AHEAD 16
 #define NEIGHBOURS_AHEAD 8
 
-/* Contacts that are looked at together by one worker, at least; and how many there must be for it to be worth sharing. */
-#define RANGE_LEAST 64
+/* So many contacts there must be for looking at them to be worth sharing. */
 #define SHARED_CONTACTS 1024
 
 typedef struct change_list {
@@ -343,19 +417,19 @@ CNI_INLINE void changes_prefetch(const cn_world *world, const change_list *list,
 		neighbours_prefetch(world, cni_contact_at(world, (int32_t)(list->items[k + NEIGHBOURS_AHEAD] >> 3)));
 }
 
-static void changes_apply(cn_world *world, const change_list *list, float dt)
+static void changes_apply(cn_world *world, const change_list *list, begun_store *store, float dt)
 {
 	int32_t k;
 	for (k = 0; k < list->count; ++k) {
 		changes_prefetch(world, list, k);
 		if ((list->items[k] & 7u) != CHANGE_NONE)
-			change_apply(world, (int32_t)(list->items[k] >> 3), (int32_t)(list->items[k] & 7u), dt);
+			change_apply(world, (int32_t)(list->items[k] >> 3), (int32_t)(list->items[k] & 7u), store, dt);
 	}
 }
 
 /* ---- first part: collide ---- */
 
-static void contacts_collide(cn_world *world, window *w, cni_cull *cull, change_list *changes, float dt)
+static void contacts_collide(cn_world *world, window *w, cni_cull *cull, change_list *changes, begun_store *store, float dt)
 {
 	int32_t k, count;
 	w->prefetches = cull->of.prefetches;
@@ -363,7 +437,7 @@ static void contacts_collide(cn_world *world, window *w, cni_cull *cull, change_
 		window_collide(world, w, count, dt);
 		for (k = 0; k < count; ++k)
 			if (w->change[k] != CHANGE_NONE)
-				change_add(world, changes, w->pair[k].index, w->change[k]);
+				change_add(world, changes, w->pair[k].index, w->change[k] == CHANGE_BEGIN ? begun_keep(store, &w->touch[k]) : w->change[k]);
 	}
 }
 
@@ -374,13 +448,15 @@ typedef struct range_changes {
 
 typedef struct collide_loop {
 	cni_cull_list list;
+	begun_store store;
 	uint32_t *items;       /* one per contact */
-	range_changes *parts;  /* one per RANGE_LEAST contacts; most are empty */
+	range_changes *parts;  /* one per group; most are empty */
 } collide_loop;
 
-/* First contact of a range that nominally begins at k. Lanes of a block share words, so one range takes all contacts of a block. */
-static int32_t range_begin(const cni_cull_list *list, int32_t k)
+/* First contact of a range that nominally begins at group g. Lanes of a block share words, so one range takes all contacts of a block. */
+static int32_t range_begin(const cni_cull_list *list, int32_t g)
 {
+	int32_t k = cni_min_i(g * GROUP, list->count);
 	if (k <= list->apart)
 		return k;
 	while (k < list->count && cni_contact_at(list->world, list->contacts[k])->slot / CNI_LANES ==
@@ -389,11 +465,11 @@ static int32_t range_begin(const cni_cull_list *list, int32_t k)
 	return k;
 }
 
-/* Writes only contacts and lanes of the range, marks of bodies, and the range's changes. */
+/* Groups begin to end - 1. Writes only contacts and lanes of the range, marks of bodies, and the range's changes and manifolds. */
 static void collide_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
-	const collide_loop *loop = (const collide_loop *)context;
-	range_changes *part = &loop->parts[begin / RANGE_LEAST];
+	collide_loop *loop = (collide_loop *)context;
+	range_changes *part = &loop->parts[begin];
 	int32_t from = range_begin(&loop->list, begin), to = range_begin(&loop->list, end);
 	change_list changes;
 	cni_cull cull;
@@ -404,7 +480,7 @@ static void collide_range(void *context, int32_t begin, int32_t end, int32_t wor
 	changes.count = 0;
 	window_init(&w, loop->list.world, 0);
 	cni_cull_begin(&cull, &loop->list, from, to);
-	contacts_collide(loop->list.world, &w, &cull, &changes, loop->list.dt);
+	contacts_collide(loop->list.world, &w, &cull, &changes, &loop->store, loop->list.dt);
 	part->begin = from;
 	part->count = changes.count;
 }
@@ -457,14 +533,14 @@ static change_list collide_parallel(cn_world *world, collide_loop *loop, int32_t
 	change_list changes;
 	memset(loop->parts, 0, sizeof(range_changes) * (size_t)parts);
 	loop->items = (uint32_t *)(void *)(loop->parts + parts);
-	cni_team_for(loop->list.count < SHARED_CONTACTS ? NULL : world->team, loop->list.count, RANGE_LEAST, collide_range, loop);
+	cni_team_for(loop->list.count < SHARED_CONTACTS ? NULL : world->team, parts, 1, collide_range, loop);
 	changes = parts_join(loop, parts);
 	deferred_collide(world, &changes, loop->list.dt);
 	return changes;
 }
 
 /* Used when the arena has no room for the list: `reserve` holds CHANGES_LEAST changes. */
-static change_list collide_serial(cn_world *world, const collide_loop *loop, uint32_t *reserve)
+static change_list collide_serial(cn_world *world, collide_loop *loop, uint32_t *reserve)
 {
 	change_list changes;
 	cni_cull cull;
@@ -474,8 +550,21 @@ static change_list collide_serial(cn_world *world, const collide_loop *loop, uin
 	changes.capacity = CHANGES_LEAST;
 	window_init(&w, world, 1);
 	cni_cull_begin(&cull, &loop->list, 0, loop->list.count);
-	contacts_collide(world, &w, &cull, &changes, loop->list.dt);
+	contacts_collide(world, &w, &cull, &changes, &loop->store, loop->list.dt);
 	return changes;
+}
+
+static void store_open(cn_world *world, begun_store *store, int32_t apart)
+{
+	int32_t groups = apart / GROUP + 1, room;
+	store->first_new = cni_max_i(cni_max_i(apart - world->pairs.list.count, 0) / GROUP, groups - groups / NEW_PART - 4);
+	store->group = store->taken = 0;
+	room = begun_room(store, groups);
+	store->kept = (begun *)cni_arena_push(&world->arena, sizeof(begun) * (uint64_t)room + (uint64_t)groups);
+	if (store->kept == NULL)
+		return;
+	store->counts = (uint8_t *)(store->kept + room);
+	memset(store->counts, 0, (size_t)groups);
 }
 
 void cni_stage_narrowphase(cn_world *world, float dt)
@@ -487,11 +576,13 @@ void cni_stage_narrowphase(cn_world *world, float dt)
 	if (contacts == NULL)
 		return; /* there has never been a contact */
 	count = apart + cni_manifolds_reuse(world, CNI_ON(FOLLOW) ? dt : 0.0f, contacts + apart); /* the list has room for every contact */
-	parts = count / RANGE_LEAST + 1;
+	parts = count / GROUP + 1;
 	loop.parts = (range_changes *)cni_arena_push(&world->arena, sizeof(range_changes) * (uint64_t)parts + sizeof(uint32_t) * (uint64_t)count);
+	store_open(world, &loop.store, loop.parts != NULL ? apart : 0);
 	cni_cull_open(&loop.list, world, contacts, apart, count, dt);
 	changes = loop.parts != NULL ? collide_parallel(world, &loop, parts) : collide_serial(world, &loop, reserve);
 	cni_cull_close(&loop.list);
-	changes_apply(world, &changes, dt);
+	changes_apply(world, &changes, &loop.store, dt);
+	cni_arena_pop(&world->arena, loop.store.kept);
 	cni_arena_pop(&world->arena, loop.parts);
 }
