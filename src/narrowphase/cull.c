@@ -392,11 +392,12 @@ static int32_t take_left(cni_cull *s, cni_touch_pair *out, int32_t most)
 	int32_t count = 0, prefetches = s->of.prefetches;
 	uint32_t left = s->left;
 	for (; left != 0 && count < most; left &= left - 1) {
-		int32_t contact = contacts[cni_bit_lowest32(left)];
+		int32_t l = cni_bit_lowest32(left), contact = contacts[l];
 		cni_contact *c = cni_contact_at(world, contact);
 		if (prefetches)
 			pair_prefetch(world, c);
-		out[count++] = cni_touch_pair_of(world, c, contact);
+		out[count] = cni_touch_pair_of(world, c, contact);
+		out[count++].place = s->batch + l;
 	}
 	s->left = left;
 	return count;
@@ -415,6 +416,7 @@ static int32_t take_touching(cni_cull *s, cni_touch_pair *out, int32_t most)
 			prefetch_ahead(s, at + k, 1);
 		c = prefetches ? s->record[(uint32_t)(at + k) % CNI_CULL_RECORDS] : cni_contact_at(world, contact);
 		out[k] = cni_touch_pair_of(world, c, contact);
+		out[k].place = at + k;
 		cni_contact_mark_static(out[k].body[0], out[k].body[1]);
 		contact_enters_no_more(c);
 	}

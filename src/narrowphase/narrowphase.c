@@ -18,6 +18,7 @@
  */
 #include "narrowphase/narrowphase.h"
 #include "collision/manifold_batch.h"
+#include "narrowphase/begun.h"
 #include "narrowphase/cull.h"
 
 #include <string.h>
@@ -116,71 +117,8 @@ static float motion_time(const cni_contact *c, float dt)
 	return c->flags & CNI_CONTACT_SENSOR ? 0.0f : dt;
 }
 
-/* The manifold of a contact that begins. */
-typedef struct begun {
-	cni_manifold manifold;
-	cni_vec2 gap;
-	float radius[2];
-} begun;
-
-static begun begun_of(const cni_touch *t)
-{
-	begun b;
-	b.manifold = t->manifold;
-	b.gap = t->gap;
-	b.radius[0] = t->radius[0];
-	b.radius[1] = t->radius[1];
-	return b;
-}
-
-/*
- * Manifolds that the first part keeps for the second. Storing one for each contact would take more memory than the contacts, so each
- * group of successive contacts has room for a few, and those of the others are computed again. Pairs that are new in this step, of
- * which more begin, are at the end of the list: their groups have room for all. Which are kept depends on the list alone: a group is
- * processed by one worker, in order.
- */
-typedef struct begun_store {
-	begun *kept;               /* NULL: none are kept */
-	uint8_t *counts;           /* of each group */
-	int32_t first_new;         /* group */
-	int32_t group, taken;      /* place of the next one that the second part takes */
-} begun_store;
-
-/* Contacts in a group. One worker looks at a group at least. */
-#define GROUP 64
-#define BEGUN_A_GROUP 4
-#define NEW_PART 12 /* at most one part of so many groups counts as new: all pairs are, in a world's first step */
-
-/* Room before a group. */
-static int32_t begun_room(const begun_store *store, int32_t group)
-{
-	return group <= store->first_new ? group * BEGUN_A_GROUP : store->first_new * BEGUN_A_GROUP + (group - store->first_new) * GROUP;
-}
-
-/* Returns CHANGE_BEGIN_KEPT if the manifold was kept. The slot of a contact that does not touch is its place in the list. */
-static int32_t begun_keep(begun_store *store, const cni_touch *t)
-{
-	int32_t group = t->contact->slot / GROUP;
-	if (store->kept == NULL || (t->contact->flags & CNI_CONTACT_SENSOR))
-		return CHANGE_BEGIN;
-	if (store->counts[group] == (group < store->first_new ? BEGUN_A_GROUP : GROUP))
-		return CHANGE_BEGIN;
-	store->kept[begun_room(store, group) + store->counts[group]++] = begun_of(t);
-	return CHANGE_BEGIN_KEPT;
-}
-
-/* Manifolds are taken in the order in which they were kept. */
-static const begun *begun_take(begun_store *store)
-{
-	while (store->taken == store->counts[store->group]) {
-		++store->group;
-		store->taken = 0;
-	}
-	return &store->kept[begun_room(store, store->group) + store->taken++];
-}
-
 /* Computes the manifold again. */
-static begun begun_again(const cn_world *world, int32_t contact, float dt)
+static cni_begun begun_again(const cn_world *world, int32_t contact, float dt)
 {
 	cni_touch_pair pair = cni_touch_pair_of(world, cni_contact_at(world, contact), contact);
 	cni_touch t;
@@ -191,10 +129,10 @@ static begun begun_again(const cn_world *world, int32_t contact, float dt)
 		cni_touch_collide(&t);
 		cni_touch_finish(world, dt, &t);
 	}
-	return begun_of(&t);
+	return cni_begun_of(&t);
 }
 
-static void change_begin(cn_world *world, int32_t contact, const begun *b)
+static void change_begin(cn_world *world, int32_t contact, const cni_begun *b)
 {
 	if (b->manifold.count == 0)
 		return;
@@ -223,7 +161,7 @@ static void sensor_change(cn_world *world, int32_t contact, int32_t change)
 		pair_end(world, contact);
 }
 
-static void change_apply(cn_world *world, int32_t contact, int32_t change, begun_store *store, float dt)
+static void change_apply(cn_world *world, int32_t contact, int32_t change, cni_begun_store *store, float dt)
 {
 	const cni_contact *c = cni_contact_at(world, contact);
 	if (c->flags & CNI_CONTACT_SENSOR) {
@@ -235,9 +173,9 @@ static void change_apply(cn_world *world, int32_t contact, int32_t change, begun
 	if (change == CHANGE_EVENTS)
 		cni_contact_send_deferred_events(world, contact, CNI_CONTACT_ENTER_OWED, CN_EVENT_ENTER);
 	if (change == CHANGE_BEGIN_KEPT) {
-		change_begin(world, contact, begun_take(store));
+		change_begin(world, contact, cni_begun_take(store));
 	} else if (change == CHANGE_BEGIN) {
-		begun again = begun_again(world, contact, dt);
+		cni_begun again = begun_again(world, contact, dt);
 		change_begin(world, contact, &again);
 	}
 	if (change != CHANGE_END)
@@ -262,6 +200,7 @@ typedef struct window {
 	cni_manifold_batch batch;
 	cni_batch_kernel_fn *kernel;
 	int32_t prefetches;
+	cni_begun_store *store;  /* NULL: manifolds of contacts that begin are not kept */
 	uint32_t deferred_flags, deferred_locks; /* flags of touching contacts, flags of their bodies: these contacts are deferred */
 } window;
 
@@ -277,6 +216,7 @@ static void window_init(window *w, cn_world *world, int32_t serial)
 	int32_t extra_rows = cni_table_capacity(&world->blocks_extra) >= cni_table_capacity(&world->blocks_hot);
 	w->kernel = CNI_ON(MANIFOLD_BATCHES) ? cni_batch_kernel_choose() : NULL;
 	w->count = w->prefetches = 0;
+	w->store = NULL;
 	w->deferred_flags = serial ? 0 : CNI_CONTACT_REFRESH | CNI_CONTACT_PRE_SOLVE;
 	w->deferred_locks = serial || extra_rows ? 0 : CN_BODY_LOCK_X | CN_BODY_LOCK_Y;
 }
@@ -344,6 +284,7 @@ static void window_begin(const cn_world *world, window *w, int32_t count, float 
 static int32_t window_finish(cn_world *world, window *w, int32_t k, float dt)
 {
 	cni_touch *t = &w->touch[k];
+	int32_t change;
 	if (w->column[k] == COLUMN_DEFERRED)
 		return CHANGE_DEFERRED;
 	if (w->column[k] == COLUMN_NONE)
@@ -351,7 +292,10 @@ static int32_t window_finish(cn_world *world, window *w, int32_t k, float dt)
 	else if (w->column[k] >= 0)
 		cni_batch_read(&w->batch, w->column[k], &t->in, &t->contact->cache, &t->manifold);
 	cni_touch_finish(world, motion_time(t->contact, dt), t);
-	return contact_update(world, w->pair[k].index, t);
+	change = contact_update(world, w->pair[k].index, t);
+	if (change == CHANGE_BEGIN && w->store != NULL && !(t->contact->flags & CNI_CONTACT_SENSOR) && cni_begun_keep(w->store, t))
+		return CHANGE_BEGIN_KEPT;
+	return change;
 }
 
 /* Computes the manifolds and changes of the window's contacts. */
@@ -417,7 +361,7 @@ CNI_INLINE void changes_prefetch(const cn_world *world, const change_list *list,
 		neighbours_prefetch(world, cni_contact_at(world, (int32_t)(list->items[k + NEIGHBOURS_AHEAD] >> 3)));
 }
 
-static void changes_apply(cn_world *world, const change_list *list, begun_store *store, float dt)
+static void changes_apply(cn_world *world, const change_list *list, cni_begun_store *store, float dt)
 {
 	int32_t k;
 	for (k = 0; k < list->count; ++k) {
@@ -429,34 +373,17 @@ static void changes_apply(cn_world *world, const change_list *list, begun_store 
 
 /* ---- first part: collide ---- */
 
-static void contacts_collide(cn_world *world, window *w, cni_cull *cull, change_list *changes, begun_store *store, float dt)
-{
-	int32_t k, count;
-	w->prefetches = cull->of.prefetches;
-	while ((count = cni_cull_next(cull, w->pair, WINDOW)) > 0) {
-		window_collide(world, w, count, dt);
-		for (k = 0; k < count; ++k)
-			if (w->change[k] != CHANGE_NONE)
-				change_add(world, changes, w->pair[k].index, w->change[k] == CHANGE_BEGIN ? begun_keep(store, &w->touch[k]) : w->change[k]);
-	}
-}
-
-/* The changes of a range: items begin to begin + count - 1; begin is also the range's first contact. */
-typedef struct range_changes {
-	int32_t begin, count;
-} range_changes;
-
 typedef struct collide_loop {
 	cni_cull_list list;
-	begun_store store;
-	uint32_t *items;       /* one per contact */
-	range_changes *parts;  /* one per group; most are empty */
+	cni_begun_store store;
+	uint8_t *changes;      /* CHANGE_* of each contact of the list */
+	uint32_t change_count;
 } collide_loop;
 
-/* First contact of a range that nominally begins at group g. Lanes of a block share words, so one range takes all contacts of a block. */
-static int32_t range_begin(const cni_cull_list *list, int32_t g)
+/* First contact of a range that nominally begins at a group. Lanes of a block share words, so one range takes all contacts of a block. */
+static int32_t range_begin(const cni_cull_list *list, int32_t group)
 {
-	int32_t k = cni_min_i(g * GROUP, list->count);
+	int32_t k = cni_min_i(group * CNI_BEGUN_GROUP, list->count);
 	if (k <= list->apart)
 		return k;
 	while (k < list->count && cni_contact_at(list->world, list->contacts[k])->slot / CNI_LANES ==
@@ -469,35 +396,49 @@ static int32_t range_begin(const cni_cull_list *list, int32_t g)
 static void collide_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
 	collide_loop *loop = (collide_loop *)context;
-	range_changes *part = &loop->parts[begin];
-	int32_t from = range_begin(&loop->list, begin), to = range_begin(&loop->list, end);
-	change_list changes;
+	cn_world *world = loop->list.world;
+	uint32_t changed = 0;
+	int32_t k, count;
 	cni_cull cull;
 	window w;
 	(void)worker;
-	changes.items = loop->items + from;
-	changes.capacity = to - from;
-	changes.count = 0;
-	window_init(&w, loop->list.world, 0);
-	cni_cull_begin(&cull, &loop->list, from, to);
-	contacts_collide(loop->list.world, &w, &cull, &changes, &loop->store, loop->list.dt);
-	part->begin = from;
-	part->count = changes.count;
+	window_init(&w, world, 0);
+	w.store = &loop->store;
+	w.prefetches = loop->list.prefetches;
+	cni_cull_begin(&cull, &loop->list, range_begin(&loop->list, begin), range_begin(&loop->list, end));
+	while ((count = cni_cull_next(&cull, w.pair, WINDOW)) > 0) {
+		window_collide(world, &w, count, loop->list.dt);
+		for (k = 0; k < count; ++k) {
+			loop->changes[w.pair[k].place] = (uint8_t)w.change[k];
+			changed += w.change[k] != CHANGE_NONE;
+		}
+	}
+	if (changed > 0)
+		(void)cni_atomic_add(&loop->change_count, changed);
 }
 
-static change_list parts_join(const collide_loop *loop, int32_t parts)
+/* Kept manifolds are taken in order, so none is where the list has no room for all changes. */
+static void mark_list(const collide_loop *loop, change_list *changes, int32_t k)
 {
-	change_list changes;
-	int32_t k;
-	changes.items = loop->items;
-	changes.capacity = loop->list.count;
-	changes.count = 0;
-	for (k = 0; k < parts; ++k) {
-		if (loop->parts[k].count > 0)
-			memmove(changes.items + changes.count, loop->items + loop->parts[k].begin, sizeof(uint32_t) * (size_t)loop->parts[k].count);
-		changes.count += loop->parts[k].count;
+	int32_t change = loop->changes[k];
+	if (change == CHANGE_BEGIN_KEPT && changes->capacity < (int32_t)loop->change_count)
+		change = CHANGE_BEGIN;
+	if (change != CHANGE_NONE)
+		change_add(loop->list.world, changes, loop->list.contacts[k], change);
+}
+
+/* Lists the changes. Few contacts have one. */
+static void changes_list(const collide_loop *loop, change_list *changes)
+{
+	int32_t count = loop->list.count, k = 0, l;
+	uint64_t eight;
+	for (; k + 8 <= count; k += 8) {
+		memcpy(&eight, loop->changes + k, 8);
+		for (l = k; l < k + 8 && eight != 0; ++l)
+			mark_list(loop, changes, l);
 	}
-	return changes;
+	for (; k < count; ++k)
+		mark_list(loop, changes, k);
 }
 
 /* Collides the window, whose contacts are those of the given items, and stores their changes in the items. */
@@ -528,61 +469,62 @@ static void deferred_collide(cn_world *world, const change_list *changes, float 
 	items_collide(world, &w, items, changes, dt);
 }
 
-static change_list collide_parallel(cn_world *world, collide_loop *loop, int32_t parts)
+/* Both parts. Without memory for the list `reserve` holds the changes that fit: lists keep CHANGES_LEAST of them. */
+static void collide_parallel(cn_world *world, collide_loop *loop, uint32_t *reserve)
 {
-	change_list changes;
-	memset(loop->parts, 0, sizeof(range_changes) * (size_t)parts);
-	loop->items = (uint32_t *)(void *)(loop->parts + parts);
-	cni_team_for(loop->list.count < SHARED_CONTACTS ? NULL : world->team, parts, 1, collide_range, loop);
-	changes = parts_join(loop, parts);
+	change_list changes = { reserve, 0, CHANGES_LEAST };
+	uint32_t *items = NULL;
+	memset(loop->changes, 0, (size_t)loop->list.count);
+	loop->change_count = 0;
+	cni_team_for(loop->list.count < SHARED_CONTACTS ? NULL : world->team, loop->list.count / CNI_BEGUN_GROUP + 1, 1, collide_range, loop);
+	cni_cull_close(&loop->list);
+	if (loop->change_count > CHANGES_LEAST)
+		items = (uint32_t *)cni_arena_push(&world->arena, sizeof(uint32_t) * (uint64_t)loop->change_count);
+	if (items != NULL) {
+		changes.items = items;
+		changes.capacity = (int32_t)loop->change_count;
+	}
+	changes_list(loop, &changes);
 	deferred_collide(world, &changes, loop->list.dt);
-	return changes;
+	changes_apply(world, &changes, &loop->store, loop->list.dt);
+	cni_arena_pop(&world->arena, items);
 }
 
-/* Used when the arena has no room for the list: `reserve` holds CHANGES_LEAST changes. */
-static change_list collide_serial(cn_world *world, collide_loop *loop, uint32_t *reserve)
+/* Where the arena has no room for marks of changes. */
+static void collide_serial(cn_world *world, collide_loop *loop, uint32_t *reserve)
 {
-	change_list changes;
+	change_list changes = { reserve, 0, CHANGES_LEAST };
+	int32_t k, count;
 	cni_cull cull;
 	window w;
-	changes.items = reserve;
-	changes.count = 0;
-	changes.capacity = CHANGES_LEAST;
 	window_init(&w, world, 1);
+	w.prefetches = loop->list.prefetches;
 	cni_cull_begin(&cull, &loop->list, 0, loop->list.count);
-	contacts_collide(world, &w, &cull, &changes, &loop->store, loop->list.dt);
-	return changes;
-}
-
-static void store_open(cn_world *world, begun_store *store, int32_t apart)
-{
-	int32_t groups = apart / GROUP + 1, room;
-	store->first_new = cni_max_i(cni_max_i(apart - world->pairs.list.count, 0) / GROUP, groups - groups / NEW_PART - 4);
-	store->group = store->taken = 0;
-	room = begun_room(store, groups);
-	store->kept = (begun *)cni_arena_push(&world->arena, sizeof(begun) * (uint64_t)room + (uint64_t)groups);
-	if (store->kept == NULL)
-		return;
-	store->counts = (uint8_t *)(store->kept + room);
-	memset(store->counts, 0, (size_t)groups);
+	while ((count = cni_cull_next(&cull, w.pair, WINDOW)) > 0) {
+		window_collide(world, &w, count, loop->list.dt);
+		for (k = 0; k < count; ++k)
+			if (w.change[k] != CHANGE_NONE)
+				change_add(world, &changes, w.pair[k].index, w.change[k]);
+	}
+	cni_cull_close(&loop->list);
+	changes_apply(world, &changes, &loop->store, loop->list.dt);
 }
 
 void cni_stage_narrowphase(cn_world *world, float dt)
 {
-	int32_t *contacts = (int32_t *)world->apart.data, apart = world->apart.count, count, parts;
+	int32_t *contacts = (int32_t *)world->apart.data, apart = world->apart.count, count;
 	uint32_t reserve[CHANGES_LEAST];
-	change_list changes;
 	collide_loop loop;
 	if (contacts == NULL)
 		return; /* there has never been a contact */
 	count = apart + cni_manifolds_reuse(world, CNI_ON(FOLLOW) ? dt : 0.0f, contacts + apart); /* the list has room for every contact */
-	parts = count / GROUP + 1;
-	loop.parts = (range_changes *)cni_arena_push(&world->arena, sizeof(range_changes) * (uint64_t)parts + sizeof(uint32_t) * (uint64_t)count);
-	store_open(world, &loop.store, loop.parts != NULL ? apart : 0);
+	loop.changes = (uint8_t *)cni_arena_push(&world->arena, (uint64_t)count);
+	cni_begun_open(&loop.store, world, apart, cni_min_i(world->pairs.list.count, apart));
 	cni_cull_open(&loop.list, world, contacts, apart, count, dt);
-	changes = loop.parts != NULL ? collide_parallel(world, &loop, parts) : collide_serial(world, &loop, reserve);
-	cni_cull_close(&loop.list);
-	changes_apply(world, &changes, &loop.store, dt);
-	cni_arena_pop(&world->arena, loop.store.kept);
-	cni_arena_pop(&world->arena, loop.parts);
+	if (loop.changes != NULL)
+		collide_parallel(world, &loop, reserve);
+	else
+		collide_serial(world, &loop, reserve);
+	cni_begun_close(&loop.store, world);
+	cni_arena_pop(&world->arena, loop.changes);
 }

@@ -26,6 +26,7 @@ typedef struct cni_touch_pair {
 	cni_body *body[2];
 	const cni_proxy *proxy[2];
 	int32_t index; /* of the contact */
+	int32_t place; /* in the list of contacts to cull */
 } cni_touch_pair;
 
 typedef struct cni_touch {
@@ -48,6 +49,7 @@ static inline cni_touch_pair cni_touch_pair_of(const cn_world *world, cni_contac
 	p.proxy[0] = cni_proxy_at(world, c->proxy[0]);
 	p.proxy[1] = cni_proxy_at(world, c->proxy[1]);
 	p.index = index;
+	p.place = CNI_NONE;
 	return p;
 }
 
