@@ -46,6 +46,20 @@ cni_begun cni_begun_of(const cni_touch *t)
 	return b;
 }
 
+cni_begun cni_begun_again(const cn_world *world, int32_t contact, float dt)
+{
+	cni_touch_pair pair = cni_touch_pair_of(world, cni_contact_at(world, contact), contact);
+	cni_touch t;
+	t.manifold.count = 0;
+	t.gap = cni_v(0.0f, 0.0f);
+	t.radius[0] = t.radius[1] = 0.0f;
+	if (cni_touch_begin(world, &pair, dt, &t)) {
+		cni_touch_collide(&t);
+		cni_touch_finish(world, dt, &t);
+	}
+	return cni_begun_of(&t);
+}
+
 /* The slot of a contact that does not touch is its place in the list. */
 int32_t cni_begun_keep(cni_begun_store *store, const cni_touch *t)
 {

@@ -30,6 +30,8 @@ typedef struct cni_begun_store {
 void cni_begun_open(cni_begun_store *store, cn_world *world, int32_t contacts, int32_t created);
 void cni_begun_close(cni_begun_store *store, cn_world *world);
 cni_begun cni_begun_of(const cni_touch *t);
+/* Computes the manifold of a contact again. */
+cni_begun cni_begun_again(const cn_world *world, int32_t contact, float dt);
 /* Returns 0 if there is no room. */
 int32_t cni_begun_keep(cni_begun_store *store, const cni_touch *t);
 /* Manifolds are taken in the order of their contacts. */

@@ -32,33 +32,6 @@ static int32_t boxes_overlap(const cn_world *world, const cni_contact *c)
 	return cni_aabb_overlap(&cni_proxy_at(world, c->proxy[0])->fat, &cni_proxy_at(world, c->proxy[1])->fat);
 }
 
-/* ---- one-way platforms ---- */
-
-/* Does the other shape touch the platform's local +y side, within the contact margin in depth? */
-static int32_t lands_on_platform(const cn_world *world, const cni_contact *c, const cni_manifold *m)
-{
-	int32_t side = cni_shape_at(world, cni_proxy_at(world, c->proxy[0])->shape)->flags & CN_SHAPE_ONE_WAY ? 0 : 1;
-	const cni_body *a = cni_body_at(world, c->body[0]), *platform = cni_body_at(world, c->body[side]);
-	cni_vec2 up = cni_rotate(platform->q, cni_v(0.0f, 1.0f)), n = cni_rotate(a->q, m->normal);
-	float deepest = m->points[0].separation;
-	if (side == 1)
-		n = cni_neg(n);
-	if (m->count == 2)
-		deepest = cni_min(deepest, m->points[1].separation);
-	return cni_dot(n, up) > 0.7f && deepest > -world->settings.contact_margin;
-}
-
-/* A shape that first touches from below or from the side passes through until it no longer touches. */
-static void filter_one_way(const cn_world *world, cni_contact *c, cni_manifold *m)
-{
-	if (m->count == 0)
-		c->flags &= ~(uint32_t)CNI_CONTACT_PASSING;
-	else if (!(c->flags & (CNI_CONTACT_TOUCHING | CNI_CONTACT_PASSING)) && !lands_on_platform(world, c, m))
-		c->flags |= CNI_CONTACT_PASSING;
-	if (c->flags & CNI_CONTACT_PASSING)
-		m->count = 0;
-}
-
 /* ---- sensors ---- */
 
 static int32_t sensor_update(const cni_touch *t)
@@ -101,7 +74,7 @@ static int32_t contact_update(cn_world *world, int32_t contact, cni_touch *t)
 	if (c->flags & CNI_CONTACT_SENSOR)
 		return sensor_update(t);
 	if (c->flags & CNI_CONTACT_ONE_WAY)
-		filter_one_way(world, c, &t->manifold);
+		cni_touch_filter_one_way(world, c, &t->manifold);
 	if (t->manifold.count > 0 && !touching)
 		return CHANGE_BEGIN;
 	if (t->manifold.count > 0)
@@ -115,21 +88,6 @@ static int32_t contact_update(cn_world *world, int32_t contact, cni_touch *t)
 static float motion_time(const cni_contact *c, float dt)
 {
 	return c->flags & CNI_CONTACT_SENSOR ? 0.0f : dt;
-}
-
-/* Computes the manifold again. */
-static cni_begun begun_again(const cn_world *world, int32_t contact, float dt)
-{
-	cni_touch_pair pair = cni_touch_pair_of(world, cni_contact_at(world, contact), contact);
-	cni_touch t;
-	t.manifold.count = 0;
-	t.gap = cni_v(0.0f, 0.0f);
-	t.radius[0] = t.radius[1] = 0.0f;
-	if (cni_touch_begin(world, &pair, dt, &t)) {
-		cni_touch_collide(&t);
-		cni_touch_finish(world, dt, &t);
-	}
-	return cni_begun_of(&t);
 }
 
 static void change_begin(cn_world *world, int32_t contact, const cni_begun *b)
@@ -175,7 +133,7 @@ static void change_apply(cn_world *world, int32_t contact, int32_t change, cni_b
 	if (change == CHANGE_BEGIN_KEPT) {
 		change_begin(world, contact, cni_begun_take(store));
 	} else if (change == CHANGE_BEGIN) {
-		cni_begun again = begun_again(world, contact, dt);
+		cni_begun again = cni_begun_again(world, contact, dt);
 		change_begin(world, contact, &again);
 	}
 	if (change != CHANGE_END)

@@ -886,12 +886,12 @@ typedef struct arch_scene {
 static const arch_scene arch_scenes[ARCH_SCENES] = {
 	{ "shapes", scene_shapes, 0x013c99c8a94b5923 },
 	{ "joints", scene_joints, 0x57a746ac8a36cddf },
-	{ "direct", scene_direct, 0x3b20c2ed6e0725d5 },
-	{ "tiers", scene_tiers, 0xadf16f02a86d3171 },
+	{ "direct", scene_direct, 0xd9269d24de50799a },
+	{ "tiers", scene_tiers, 0x4dd976afeb19cfd4 },
 	{ "sequential", scene_sequential, 0x14673e5a64320f7c },
 	{ "queries", scene_queries, 0x9078b2fad7e8282c },
-	{ "events", scene_events, 0x591c1ec096b3553a },
-	{ "file", scene_file, 0x01f309d2ed515042 },
+	{ "events", scene_events, 0xaf4feece2a125d81 },
+	{ "file", scene_file, 0x3061b299ffae3ef6 },
 };
 
 /* The number of a scene; 0 if a call failed: arch_failed_line. */
