@@ -12,16 +12,38 @@
 
 /* ---- lists ---- */
 
+/* More contacts with static bodies than this are not kept in front. */
+#define STATIC_IN_FRONT 8
+
+/* The key after which a contact is linked, CNI_NONE: first. Contacts with static bodies are in front of all others, where continuous
+   collision finds them without reading the others' records. */
+static int32_t link_after(const cn_world *world, const cni_contact *c, cni_body *b)
+{
+	int32_t key = b->contact_first, after = CNI_NONE, count = 0;
+	if ((c->flags & CNI_CONTACT_STATIC) || (b->flags & CNI_BODY_MIXED))
+		return CNI_NONE;
+	for (; key != CNI_NONE && (cni_contact_of_key(world, key)->flags & CNI_CONTACT_STATIC); ++count) {
+		if (count == STATIC_IN_FRONT) {
+			b->flags |= CNI_BODY_MIXED;
+			return CNI_NONE;
+		}
+		after = key;
+		key = cni_contact_of_key(world, key)->next[key & 1];
+	}
+	return after;
+}
+
 static void list_link(cn_world *world, int32_t contact, int32_t side)
 {
 	cni_contact *c = cni_contact_at(world, contact);
 	cni_body *b = cni_body_at(world, c->body[side]);
-	int32_t key = contact << 1 | side;
-	c->prev[side] = CNI_NONE;
-	c->next[side] = b->contact_first;
-	if (b->contact_first != CNI_NONE)
-		cni_contact_of_key(world, b->contact_first)->prev[b->contact_first & 1] = key;
-	b->contact_first = key;
+	int32_t key = contact << 1 | side, prev = link_after(world, c, b);
+	int32_t *from = prev != CNI_NONE ? &cni_contact_of_key(world, prev)->next[prev & 1] : &b->contact_first;
+	c->prev[side] = prev;
+	c->next[side] = *from;
+	if (*from != CNI_NONE)
+		cni_contact_of_key(world, *from)->prev[*from & 1] = key;
+	*from = key;
 	++b->contact_count;
 }
 
@@ -36,7 +58,8 @@ static void list_unlink(cn_world *world, int32_t contact, int32_t side)
 		b->contact_first = next;
 	if (next != CNI_NONE)
 		cni_contact_of_key(world, next)->prev[next & 1] = prev;
-	--b->contact_count;
+	if (--b->contact_count == 0)
+		b->flags &= ~(uint32_t)CNI_BODY_MIXED;
 }
 
 static int32_t contact_is_awake(const cn_world *world, const cni_contact *c)
@@ -194,6 +217,8 @@ int32_t cni_contact_create(cn_world *world, int32_t proxy_a, int32_t proxy_b)
 	c->body[1 - side] = b->body;
 	c->slot = CNI_NONE;
 	c->flags = flags_with_room(world, flags_of_shapes(a, b));
+	if (cni_body_at(world, a->body)->type == CN_BODY_STATIC || cni_body_at(world, b->body)->type == CN_BODY_STATIC)
+		c->flags |= CNI_CONTACT_STATIC;
 	list_link(world, contact, 0);
 	list_link(world, contact, 1);
 	if (contact_is_awake(world, c)) {

@@ -167,6 +167,7 @@ enum {
 	CNI_CONTACT_PASSING = 1u << 11,     /* ... that the other shape is passing through */
 	CNI_CONTACT_PRE_SOLVE = 1u << 12,   /* the user's callback sees it before solving */
 	CNI_CONTACT_MUTE = 1u << 13,        /* a sensor that reports nothing: a fixed block has no room for it */
+	CNI_CONTACT_STATIC = 1u << 14,      /* one body is static */
 	CNI_CONTACT_EVENTS_SHIFT = 16       /* bits 16..21: the CN_EVENT_ kinds that it reports */
 };
 

@@ -380,7 +380,9 @@ static void shape_clamp_contacts(clamp *c, const cni_shape *s)
 		const cni_contact *contact = cni_contact_of_key(world, key);
 		int32_t side = key & 1, other = contact->proxy[1 - side];
 		next = contact->next[side];
-		if (contact->proxy[side] != c->proxy || !(cni_proxy_at(world, other)->flags & CNI_PROXY_STATIC))
+		if (!(contact->flags & CNI_CONTACT_STATIC) && !(c->body->flags & CNI_BODY_MIXED))
+			return; /* those with static bodies are in front */
+		if (contact->proxy[side] != c->proxy || !(contact->flags & CNI_CONTACT_STATIC))
 			continue;
 		if (!has_core)
 			core_begin(c, cni_shape_geometry(&world->blocks, s));

@@ -136,24 +136,23 @@ CNI_INLINE void body_prefetch(const cni_body *b)
 typedef char cni_cull_finds_far_enough[RECORDS_AHEAD + 4 <= CNI_CULL_RECORDS && MEMBERS_AHEAD + 4 <= CNI_CULL_MEMBERS ? 1 : -1];
 
 /* Memory that cni_touch_begin reads. */
-CNI_INLINE void pair_prefetch(const cn_world *world, const cni_contact *c)
+CNI_INLINE void pair_prefetch(const cni_touch_pair *p)
 {
 	int32_t side;
-	CNI_PREFETCH(&c->cache);
+	CNI_PREFETCH(&p->contact->cache);
 	for (side = 0; side < 2; ++side) {
-		const cni_proxy *proxy = cni_proxy_at(world, c->proxy[side]);
-		CNI_PREFETCH(&proxy->fat);
-		CNI_PREFETCH(&proxy->geometry);
-		body_prefetch(cni_body_at(world, c->body[side]));
+		CNI_PREFETCH(&p->proxy[side]->fat);
+		CNI_PREFETCH(&p->proxy[side]->geometry);
+		body_prefetch(p->body[side]);
 	}
 }
 
-CNI_INLINE void members_prefetch(const cni_cull_list *list, const cni_contact *c, const cni_aabb **box)
+CNI_INLINE void members_prefetch(const cni_cull_list *list, const cni_contact *c, const cni_proxy **proxy)
 {
 	int32_t side;
 	for (side = 0; side < 2; ++side) {
-		box[side] = &cni_proxy_at(list->world, c->proxy[side])->fat;
-		CNI_PREFETCH(box[side]);
+		proxy[side] = cni_proxy_at(list->world, c->proxy[side]);
+		CNI_PREFETCH(&proxy[side]->fat);
 		if (list->bodies != NULL)
 			CNI_PREFETCH(&list->bodies[c->body[side]]);
 		else
@@ -164,14 +163,18 @@ CNI_INLINE void members_prefetch(const cni_cull_list *list, const cni_contact *c
 /* Prefetches bodies and boxes of contact k, whose record was prefetched earlier. inside: k is in the range and does not touch. */
 CNI_INLINE void ask_for_members(cni_cull *s, int32_t k, int32_t inside)
 {
-	const cni_contact *c;
+	cni_contact *c;
+	cni_touch_pair *pair;
 	if (!inside && k >= s->end)
 		return;
 	c = s->record[(uint32_t)k % CNI_CULL_RECORDS];
-	if (inside || k < s->of.apart)
-		members_prefetch(&s->of, c, s->box[(uint32_t)k % CNI_CULL_MEMBERS]);
-	else
-		pair_prefetch(s->of.world, c);
+	if (inside || k < s->of.apart) {
+		members_prefetch(&s->of, c, s->proxy[(uint32_t)k % CNI_CULL_MEMBERS]);
+		return;
+	}
+	pair = &s->touching[(uint32_t)k % CNI_CULL_MEMBERS];
+	*pair = cni_touch_pair_of(s->of.world, c, s->of.contacts[k]);
+	pair_prefetch(pair);
 }
 
 /* Records span two cache lines. */
@@ -232,14 +235,11 @@ static void contact_enters_no_more(cni_contact *c)
 		c->flags &= ~ENTERED;
 }
 
-static int32_t boxes_of_contact_overlap(const cn_world *world, const cni_contact *c)
+/* Returns 1 when pair k of the batch stays apart for certain. */
+static uint32_t one_cull(const cni_cull *s, int32_t k)
 {
-	return boxes_overlap(&cni_proxy_at(world, c->proxy[0])->fat, &cni_proxy_at(world, c->proxy[1])->fat);
-}
-
-/* Returns 1 when the pair stays apart for certain. */
-static uint32_t one_cull(const cni_cull *s, cni_contact *c)
-{
+	cni_contact *c = s->batch_record[k];
+	const cni_proxy *const *proxy = s->batch_proxy[k];
 	const cni_cull_body *a, *b;
 	cni_cull_body made_a, made_b;
 	if (s->of.bodies != NULL) {
@@ -254,7 +254,7 @@ static uint32_t one_cull(const cni_cull *s, cni_contact *c)
 	if (a->radius <= 0.0f || b->radius <= 0.0f)
 		contact_mark_static(s->of.world, c);
 	contact_enters_no_more(c);
-	return (uint32_t)(circles_apart(a, b, s->of.margin) & ((c->flags & LOOKED_AT) == 0) & boxes_of_contact_overlap(s->of.world, c));
+	return (uint32_t)(circles_apart(a, b, s->of.margin) & ((c->flags & LOOKED_AT) == 0) & boxes_overlap(&proxy[0]->fat, &proxy[1]->fat));
 }
 
 /* ---- four side by side ---- */
@@ -268,10 +268,10 @@ typedef struct cull_rows {
 	uint32_t flags;          /* of all pairs, or-ed */
 } cull_rows;
 
-CNI_INLINE void rows_take(cull_rows *r, int32_t l, const cni_cull_body *a, const cni_cull_body *b, const cni_aabb *const *box,
+CNI_INLINE void rows_take(cull_rows *r, int32_t l, const cni_cull_body *a, const cni_cull_body *b, const cni_proxy *const *proxy,
 	const cni_contact *c)
 {
-	cni_wide box_a = cni_wide_load_loose(&box[0]->x0), box_b = cni_wide_load_loose(&box[1]->x0);
+	cni_wide box_a = cni_wide_load_loose(&proxy[0]->fat.x0), box_b = cni_wide_load_loose(&proxy[1]->fat.x0);
 	r->between[l] = cni_wide_load_loose(&b->x) - cni_wide_load_loose(&a->x);
 	r->over[l] = __builtin_shufflevector(box_a, box_b, 0, 1, 4, 5) <= __builtin_shufflevector(box_b, box_a, 2, 3, 6, 7);
 	r->flags |= c->flags;
@@ -298,7 +298,7 @@ static uint32_t four_by_flags(cni_contact *const *c, uint32_t apart)
 }
 
 /* one_cull of four pairs, as bits, with the same operations in each lane. */
-static uint32_t four_cull(const cni_cull *s, cni_contact *const *c, const cni_aabb *const (*box)[2])
+static uint32_t four_cull(const cni_cull *s, cni_contact *const *c, const cni_proxy *const (*proxy)[2])
 {
 	const cn_world *world = s->of.world;
 	const cni_cull_body *a[4], *b[4];
@@ -310,7 +310,7 @@ static uint32_t four_cull(const cni_cull *s, cni_contact *const *c, const cni_aa
 	for (l = 0; l < 4; ++l) {
 		a[l] = &s->of.bodies[c[l]->body[0]];
 		b[l] = &s->of.bodies[c[l]->body[1]];
-		rows_take(&r, l, a[l], b[l], box[l], c[l]);
+		rows_take(&r, l, a[l], b[l], proxy[l], c[l]);
 	}
 	radius_a = (cni_wide){ a[0]->radius, a[1]->radius, a[2]->radius, a[3]->radius };
 	radius_b = (cni_wide){ b[0]->radius, b[1]->radius, b[2]->radius, b[3]->radius };
@@ -325,53 +325,50 @@ static uint32_t four_cull(const cni_cull *s, cni_contact *const *c, const cni_aa
 
 #else
 
-static uint32_t four_cull(const cni_cull *s, cni_contact *const *c, const cni_aabb *const (*box)[2])
+static uint32_t four_cull(const cni_cull *s, cni_contact *const *c, const cni_proxy *const (*proxy)[2])
 {
-	(void)box;
-	return one_cull(s, c[0]) | one_cull(s, c[1]) << 1 | one_cull(s, c[2]) << 2 | one_cull(s, c[3]) << 3;
+	(void)proxy;
+	int32_t k = (int32_t)(c - s->batch_record);
+	return one_cull(s, k) | one_cull(s, k + 1) << 1 | one_cull(s, k + 2) << 2 | one_cull(s, k + 3) << 3;
 }
 
 #endif
 
 /* ---- batches ---- */
 
-/* Contacts at to at + 3 of the list and their boxes. */
-CNI_INLINE void four_find(cni_cull *s, int32_t at, cni_contact **c, const cni_aabb *(*box)[2])
+/* Finds the record and the proxies of contact `at` of the list, for place k of the batch. */
+CNI_INLINE void batch_find(cni_cull *s, int32_t at, int32_t k)
 {
 	const cn_world *world = s->of.world;
-	int32_t l;
-	if (s->of.prefetches)
-		prefetch_ahead(s, at, 4);
-	for (l = 0; l < 4; ++l) {
-		if (s->of.prefetches) {
-			c[l] = s->record[(uint32_t)(at + l) % CNI_CULL_RECORDS];
-			box[l][0] = s->box[(uint32_t)(at + l) % CNI_CULL_MEMBERS][0];
-			box[l][1] = s->box[(uint32_t)(at + l) % CNI_CULL_MEMBERS][1];
-		} else {
-			c[l] = cni_contact_at(world, s->of.contacts[at + l]);
-			box[l][0] = &cni_proxy_at(world, c[l]->proxy[0])->fat;
-			box[l][1] = &cni_proxy_at(world, c[l]->proxy[1])->fat;
-		}
+	if (s->of.prefetches) {
+		s->batch_record[k] = s->record[(uint32_t)at % CNI_CULL_RECORDS];
+		s->batch_proxy[k][0] = s->proxy[(uint32_t)at % CNI_CULL_MEMBERS][0];
+		s->batch_proxy[k][1] = s->proxy[(uint32_t)at % CNI_CULL_MEMBERS][1];
+	} else {
+		cni_contact *c = cni_contact_at(world, s->of.contacts[at]);
+		s->batch_record[k] = c;
+		s->batch_proxy[k][0] = cni_proxy_at(world, c->proxy[0]);
+		s->batch_proxy[k][1] = cni_proxy_at(world, c->proxy[1]);
 	}
 }
 
 /* Pairs of a batch that stay apart, as bits. */
 static uint32_t apart_of_batch(cni_cull *s, int32_t from, int32_t size)
 {
-	const cn_world *world = s->of.world;
-	const int32_t *contacts = s->of.contacts + from;
 	uint32_t apart = 0;
-	int32_t k = 0;
+	int32_t k = 0, l;
 	for (; s->of.bodies != NULL && k + 4 <= size; k += 4) {
-		cni_contact *c[4];
-		const cni_aabb *box[4][2];
-		four_find(s, from + k, c, box);
-		apart |= four_cull(s, c, (const cni_aabb *const (*)[2])box) << k;
+		if (s->of.prefetches)
+			prefetch_ahead(s, from + k, 4);
+		for (l = k; l < k + 4; ++l)
+			batch_find(s, from + l, l);
+		apart |= four_cull(s, &s->batch_record[k], (const cni_proxy *const (*)[2])&s->batch_proxy[k]) << k;
 	}
 	for (; k < size; ++k) {
 		if (s->of.prefetches)
 			prefetch_ahead(s, from + k, 1);
-		apart |= one_cull(s, cni_contact_at(world, contacts[k])) << k;
+		batch_find(s, from + k, k);
+		apart |= one_cull(s, k) << k;
 	}
 	return apart;
 }
@@ -392,11 +389,17 @@ static int32_t take_left(cni_cull *s, cni_touch_pair *out, int32_t most)
 	int32_t count = 0, prefetches = s->of.prefetches;
 	uint32_t left = s->left;
 	for (; left != 0 && count < most; left &= left - 1) {
-		int32_t contact = contacts[cni_bit_lowest32(left)];
-		cni_contact *c = cni_contact_at(world, contact);
+		int32_t l = cni_bit_lowest32(left);
+		cni_touch_pair *p = &out[count++];
+		p->contact = s->batch_record[l];
+		p->proxy[0] = s->batch_proxy[l][0];
+		p->proxy[1] = s->batch_proxy[l][1];
+		p->body[0] = cni_body_at(world, p->contact->body[0]);
+		p->body[1] = cni_body_at(world, p->contact->body[1]);
+		p->index = contacts[l];
+		p->place = s->batch + l;
 		if (prefetches)
-			pair_prefetch(world, c);
-		out[count++] = cni_touch_pair_of(world, c, contact);
+			pair_prefetch(p);
 	}
 	s->left = left;
 	return count;
@@ -409,14 +412,15 @@ static int32_t take_touching(cni_cull *s, cni_touch_pair *out, int32_t most)
 	int32_t k, at = s->at, count = cni_min_i(most, s->end - at), prefetches = s->of.prefetches;
 	const int32_t *contacts = s->of.contacts + at;
 	for (k = 0; k < count; ++k) {
-		int32_t contact = contacts[k];
-		cni_contact *c;
-		if (prefetches)
+		if (prefetches) {
 			prefetch_ahead(s, at + k, 1);
-		c = prefetches ? s->record[(uint32_t)(at + k) % CNI_CULL_RECORDS] : cni_contact_at(world, contact);
-		out[k] = cni_touch_pair_of(world, c, contact);
+			out[k] = s->touching[(uint32_t)(at + k) % CNI_CULL_MEMBERS];
+		} else {
+			out[k] = cni_touch_pair_of(world, cni_contact_at(world, contacts[k]), contacts[k]);
+		}
+		out[k].place = at + k;
 		cni_contact_mark_static(out[k].body[0], out[k].body[1]);
-		contact_enters_no_more(c);
+		contact_enters_no_more(out[k].contact);
 	}
 	s->at = at + count;
 	return count;

@@ -27,7 +27,7 @@ typedef struct cni_cull_list {
 	int32_t prefetches;
 } cni_cull_list;
 
-/* Contacts and boxes found ahead for prefetching, by position in the list modulo these. */
+/* Records, proxies and pairs found ahead for prefetching, by position in the list modulo these. */
 #define CNI_CULL_RECORDS 32
 #define CNI_CULL_MEMBERS 16
 
@@ -36,7 +36,10 @@ typedef struct cni_cull {
 	int32_t at, end;           /* next contact to cull; end of the range */
 	int32_t batch;             /* first contact of the last batch */
 	cni_contact *record[CNI_CULL_RECORDS];      /* only with of.prefetches */
-	const cni_aabb *box[CNI_CULL_MEMBERS][2];   /* ... of contacts that do not touch */
+	const cni_proxy *proxy[CNI_CULL_MEMBERS][2]; /* ... of contacts that do not touch */
+	cni_touch_pair touching[CNI_CULL_MEMBERS];  /* ... those that do */
+	cni_contact *batch_record[CNI_CULL_BATCH];  /* of the last batch */
+	const cni_proxy *batch_proxy[CNI_CULL_BATCH][2];
 	uint32_t left;             /* contacts of the batch that need a manifold and were not returned yet, as bits */
 } cni_cull;
 

@@ -18,43 +18,18 @@
  */
 #include "narrowphase/narrowphase.h"
 #include "collision/manifold_batch.h"
+#include "narrowphase/begun.h"
 #include "narrowphase/cull.h"
 
 #include <string.h>
 
-/* Action of the second part for a contact. EVENTS: only sends events that are due. DEFERRED: not yet processed. */
-enum { CHANGE_NONE = 0, CHANGE_BEGIN = 1, CHANGE_END = 2, CHANGE_EVENTS = 3, CHANGE_DEFERRED = 4 };
+/* Action of the second part for a contact. EVENTS: only sends events that are due. DEFERRED: not yet processed. BEGIN_KEPT: begins
+   with a manifold that was kept. */
+enum { CHANGE_NONE = 0, CHANGE_BEGIN = 1, CHANGE_END = 2, CHANGE_EVENTS = 3, CHANGE_DEFERRED = 4, CHANGE_BEGIN_KEPT = 5 };
 
 static int32_t boxes_overlap(const cn_world *world, const cni_contact *c)
 {
 	return cni_aabb_overlap(&cni_proxy_at(world, c->proxy[0])->fat, &cni_proxy_at(world, c->proxy[1])->fat);
-}
-
-/* ---- one-way platforms ---- */
-
-/* Does the other shape touch the platform's local +y side, within the contact margin in depth? */
-static int32_t lands_on_platform(const cn_world *world, const cni_contact *c, const cni_manifold *m)
-{
-	int32_t side = cni_shape_at(world, cni_proxy_at(world, c->proxy[0])->shape)->flags & CN_SHAPE_ONE_WAY ? 0 : 1;
-	const cni_body *a = cni_body_at(world, c->body[0]), *platform = cni_body_at(world, c->body[side]);
-	cni_vec2 up = cni_rotate(platform->q, cni_v(0.0f, 1.0f)), n = cni_rotate(a->q, m->normal);
-	float deepest = m->points[0].separation;
-	if (side == 1)
-		n = cni_neg(n);
-	if (m->count == 2)
-		deepest = cni_min(deepest, m->points[1].separation);
-	return cni_dot(n, up) > 0.7f && deepest > -world->settings.contact_margin;
-}
-
-/* A shape that first touches from below or from the side passes through until it no longer touches. */
-static void filter_one_way(const cn_world *world, cni_contact *c, cni_manifold *m)
-{
-	if (m->count == 0)
-		c->flags &= ~(uint32_t)CNI_CONTACT_PASSING;
-	else if (!(c->flags & (CNI_CONTACT_TOUCHING | CNI_CONTACT_PASSING)) && !lands_on_platform(world, c, m))
-		c->flags |= CNI_CONTACT_PASSING;
-	if (c->flags & CNI_CONTACT_PASSING)
-		m->count = 0;
 }
 
 /* ---- sensors ---- */
@@ -99,7 +74,7 @@ static int32_t contact_update(cn_world *world, int32_t contact, cni_touch *t)
 	if (c->flags & CNI_CONTACT_SENSOR)
 		return sensor_update(t);
 	if (c->flags & CNI_CONTACT_ONE_WAY)
-		filter_one_way(world, c, &t->manifold);
+		cni_touch_filter_one_way(world, c, &t->manifold);
 	if (t->manifold.count > 0 && !touching)
 		return CHANGE_BEGIN;
 	if (t->manifold.count > 0)
@@ -115,19 +90,11 @@ static float motion_time(const cni_contact *c, float dt)
 	return c->flags & CNI_CONTACT_SENSOR ? 0.0f : dt;
 }
 
-/* Recomputes the manifold: few contacts begin in a step, and storing manifolds for all candidates would take more memory than
-   the contacts themselves. */
-static void change_begin(cn_world *world, int32_t contact, float dt)
+static void change_begin(cn_world *world, int32_t contact, const cni_begun *b)
 {
-	cni_touch_pair pair = cni_touch_pair_of(world, cni_contact_at(world, contact), contact);
-	cni_touch t;
-	if (!cni_touch_begin(world, &pair, dt, &t))
+	if (b->manifold.count == 0)
 		return;
-	cni_touch_collide(&t);
-	cni_touch_finish(world, dt, &t);
-	if (t.manifold.count == 0)
-		return;
-	if (cni_contact_begin(world, contact, &t.manifold, t.gap, t.radius)) {
+	if (cni_contact_begin(world, contact, &b->manifold, b->gap, b->radius)) {
 		if (cni_contact_at(world, contact)->flags & CNI_CONTACT_PRE_SOLVE)
 			call_pre_solve(world, contact);
 		return;
@@ -152,7 +119,7 @@ static void sensor_change(cn_world *world, int32_t contact, int32_t change)
 		pair_end(world, contact);
 }
 
-static void change_apply(cn_world *world, int32_t contact, int32_t change, float dt)
+static void change_apply(cn_world *world, int32_t contact, int32_t change, cni_begun_store *store, float dt)
 {
 	const cni_contact *c = cni_contact_at(world, contact);
 	if (c->flags & CNI_CONTACT_SENSOR) {
@@ -163,8 +130,12 @@ static void change_apply(cn_world *world, int32_t contact, int32_t change, float
 		cni_contact_send_deferred_events(world, contact, CNI_CONTACT_CREATED_OWED, CN_EVENT_CREATED);
 	if (change == CHANGE_EVENTS)
 		cni_contact_send_deferred_events(world, contact, CNI_CONTACT_ENTER_OWED, CN_EVENT_ENTER);
-	if (change == CHANGE_BEGIN)
-		change_begin(world, contact, dt);
+	if (change == CHANGE_BEGIN_KEPT) {
+		change_begin(world, contact, cni_begun_take(store));
+	} else if (change == CHANGE_BEGIN) {
+		cni_begun again = cni_begun_again(world, contact, dt);
+		change_begin(world, contact, &again);
+	}
 	if (change != CHANGE_END)
 		return;
 	if ((c->flags & CNI_CONTACT_TOUCHING) && !cni_contact_end(world, contact))
@@ -187,6 +158,7 @@ typedef struct window {
 	cni_manifold_batch batch;
 	cni_batch_kernel_fn *kernel;
 	int32_t prefetches;
+	cni_begun_store *store;  /* NULL: manifolds of contacts that begin are not kept */
 	uint32_t deferred_flags, deferred_locks; /* flags of touching contacts, flags of their bodies: these contacts are deferred */
 } window;
 
@@ -202,6 +174,7 @@ static void window_init(window *w, cn_world *world, int32_t serial)
 	int32_t extra_rows = cni_table_capacity(&world->blocks_extra) >= cni_table_capacity(&world->blocks_hot);
 	w->kernel = CNI_ON(MANIFOLD_BATCHES) ? cni_batch_kernel_choose() : NULL;
 	w->count = w->prefetches = 0;
+	w->store = NULL;
 	w->deferred_flags = serial ? 0 : CNI_CONTACT_REFRESH | CNI_CONTACT_PRE_SOLVE;
 	w->deferred_locks = serial || extra_rows ? 0 : CN_BODY_LOCK_X | CN_BODY_LOCK_Y;
 }
@@ -269,6 +242,7 @@ static void window_begin(const cn_world *world, window *w, int32_t count, float 
 static int32_t window_finish(cn_world *world, window *w, int32_t k, float dt)
 {
 	cni_touch *t = &w->touch[k];
+	int32_t change;
 	if (w->column[k] == COLUMN_DEFERRED)
 		return CHANGE_DEFERRED;
 	if (w->column[k] == COLUMN_NONE)
@@ -276,7 +250,10 @@ static int32_t window_finish(cn_world *world, window *w, int32_t k, float dt)
 	else if (w->column[k] >= 0)
 		cni_batch_read(&w->batch, w->column[k], &t->in, &t->contact->cache, &t->manifold);
 	cni_touch_finish(world, motion_time(t->contact, dt), t);
-	return contact_update(world, w->pair[k].index, t);
+	change = contact_update(world, w->pair[k].index, t);
+	if (change == CHANGE_BEGIN && w->store != NULL && !(t->contact->flags & CNI_CONTACT_SENSOR) && cni_begun_keep(w->store, t))
+		return CHANGE_BEGIN_KEPT;
+	return change;
 }
 
 /* Computes the manifolds and changes of the window's contacts. */
@@ -298,8 +275,7 @@ static void window_collide(cn_world *world, window *w, int32_t count, float dt)
 #define RECORDS_AHEAD 16
 #define NEIGHBOURS_AHEAD 8
 
-/* Contacts that are looked at together by one worker, at least; and how many there must be for it to be worth sharing. */
-#define RANGE_LEAST 64
+/* So many contacts there must be for looking at them to be worth sharing. */
 #define SHARED_CONTACTS 1024
 
 typedef struct change_list {
@@ -343,44 +319,29 @@ CNI_INLINE void changes_prefetch(const cn_world *world, const change_list *list,
 		neighbours_prefetch(world, cni_contact_at(world, (int32_t)(list->items[k + NEIGHBOURS_AHEAD] >> 3)));
 }
 
-static void changes_apply(cn_world *world, const change_list *list, float dt)
+static void changes_apply(cn_world *world, const change_list *list, cni_begun_store *store, float dt)
 {
 	int32_t k;
 	for (k = 0; k < list->count; ++k) {
 		changes_prefetch(world, list, k);
 		if ((list->items[k] & 7u) != CHANGE_NONE)
-			change_apply(world, (int32_t)(list->items[k] >> 3), (int32_t)(list->items[k] & 7u), dt);
+			change_apply(world, (int32_t)(list->items[k] >> 3), (int32_t)(list->items[k] & 7u), store, dt);
 	}
 }
 
 /* ---- first part: collide ---- */
 
-static void contacts_collide(cn_world *world, window *w, cni_cull *cull, change_list *changes, float dt)
-{
-	int32_t k, count;
-	w->prefetches = cull->of.prefetches;
-	while ((count = cni_cull_next(cull, w->pair, WINDOW)) > 0) {
-		window_collide(world, w, count, dt);
-		for (k = 0; k < count; ++k)
-			if (w->change[k] != CHANGE_NONE)
-				change_add(world, changes, w->pair[k].index, w->change[k]);
-	}
-}
-
-/* The changes of a range: items begin to begin + count - 1; begin is also the range's first contact. */
-typedef struct range_changes {
-	int32_t begin, count;
-} range_changes;
-
 typedef struct collide_loop {
 	cni_cull_list list;
-	uint32_t *items;       /* one per contact */
-	range_changes *parts;  /* one per RANGE_LEAST contacts; most are empty */
+	cni_begun_store store;
+	uint8_t *changes;      /* CHANGE_* of each contact of the list */
+	uint32_t change_count;
 } collide_loop;
 
-/* First contact of a range that nominally begins at k. Lanes of a block share words, so one range takes all contacts of a block. */
-static int32_t range_begin(const cni_cull_list *list, int32_t k)
+/* First contact of a range that nominally begins at a group. Lanes of a block share words, so one range takes all contacts of a block. */
+static int32_t range_begin(const cni_cull_list *list, int32_t group)
 {
+	int32_t k = cni_min_i(group * CNI_BEGUN_GROUP, list->count);
 	if (k <= list->apart)
 		return k;
 	while (k < list->count && cni_contact_at(list->world, list->contacts[k])->slot / CNI_LANES ==
@@ -389,39 +350,53 @@ static int32_t range_begin(const cni_cull_list *list, int32_t k)
 	return k;
 }
 
-/* Writes only contacts and lanes of the range, marks of bodies, and the range's changes. */
+/* Groups begin to end - 1. Writes only contacts and lanes of the range, marks of bodies, and the range's changes and manifolds. */
 static void collide_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
-	const collide_loop *loop = (const collide_loop *)context;
-	range_changes *part = &loop->parts[begin / RANGE_LEAST];
-	int32_t from = range_begin(&loop->list, begin), to = range_begin(&loop->list, end);
-	change_list changes;
+	collide_loop *loop = (collide_loop *)context;
+	cn_world *world = loop->list.world;
+	uint32_t changed = 0;
+	int32_t k, count;
 	cni_cull cull;
 	window w;
 	(void)worker;
-	changes.items = loop->items + from;
-	changes.capacity = to - from;
-	changes.count = 0;
-	window_init(&w, loop->list.world, 0);
-	cni_cull_begin(&cull, &loop->list, from, to);
-	contacts_collide(loop->list.world, &w, &cull, &changes, loop->list.dt);
-	part->begin = from;
-	part->count = changes.count;
+	window_init(&w, world, 0);
+	w.store = &loop->store;
+	w.prefetches = loop->list.prefetches;
+	cni_cull_begin(&cull, &loop->list, range_begin(&loop->list, begin), range_begin(&loop->list, end));
+	while ((count = cni_cull_next(&cull, w.pair, WINDOW)) > 0) {
+		window_collide(world, &w, count, loop->list.dt);
+		for (k = 0; k < count; ++k) {
+			loop->changes[w.pair[k].place] = (uint8_t)w.change[k];
+			changed += w.change[k] != CHANGE_NONE;
+		}
+	}
+	if (changed > 0)
+		(void)cni_atomic_add(&loop->change_count, changed);
 }
 
-static change_list parts_join(const collide_loop *loop, int32_t parts)
+/* Kept manifolds are taken in order, so none is where the list has no room for all changes. */
+static void mark_list(const collide_loop *loop, change_list *changes, int32_t k)
 {
-	change_list changes;
-	int32_t k;
-	changes.items = loop->items;
-	changes.capacity = loop->list.count;
-	changes.count = 0;
-	for (k = 0; k < parts; ++k) {
-		if (loop->parts[k].count > 0)
-			memmove(changes.items + changes.count, loop->items + loop->parts[k].begin, sizeof(uint32_t) * (size_t)loop->parts[k].count);
-		changes.count += loop->parts[k].count;
+	int32_t change = loop->changes[k];
+	if (change == CHANGE_BEGIN_KEPT && changes->capacity < (int32_t)loop->change_count)
+		change = CHANGE_BEGIN;
+	if (change != CHANGE_NONE)
+		change_add(loop->list.world, changes, loop->list.contacts[k], change);
+}
+
+/* Lists the changes. Few contacts have one. */
+static void changes_list(const collide_loop *loop, change_list *changes)
+{
+	int32_t count = loop->list.count, k = 0, l;
+	uint64_t eight;
+	for (; k + 8 <= count; k += 8) {
+		memcpy(&eight, loop->changes + k, 8);
+		for (l = k; l < k + 8 && eight != 0; ++l)
+			mark_list(loop, changes, l);
 	}
-	return changes;
+	for (; k < count; ++k)
+		mark_list(loop, changes, k);
 }
 
 /* Collides the window, whose contacts are those of the given items, and stores their changes in the items. */
@@ -452,46 +427,62 @@ static void deferred_collide(cn_world *world, const change_list *changes, float 
 	items_collide(world, &w, items, changes, dt);
 }
 
-static change_list collide_parallel(cn_world *world, collide_loop *loop, int32_t parts)
+/* Both parts. Without memory for the list `reserve` holds the changes that fit: lists keep CHANGES_LEAST of them. */
+static void collide_parallel(cn_world *world, collide_loop *loop, uint32_t *reserve)
 {
-	change_list changes;
-	memset(loop->parts, 0, sizeof(range_changes) * (size_t)parts);
-	loop->items = (uint32_t *)(void *)(loop->parts + parts);
-	cni_team_for(loop->list.count < SHARED_CONTACTS ? NULL : world->team, loop->list.count, RANGE_LEAST, collide_range, loop);
-	changes = parts_join(loop, parts);
+	change_list changes = { reserve, 0, CHANGES_LEAST };
+	uint32_t *items = NULL;
+	memset(loop->changes, 0, (size_t)loop->list.count);
+	loop->change_count = 0;
+	cni_team_for(loop->list.count < SHARED_CONTACTS ? NULL : world->team, loop->list.count / CNI_BEGUN_GROUP + 1, 1, collide_range, loop);
+	cni_cull_close(&loop->list);
+	if (loop->change_count > CHANGES_LEAST)
+		items = (uint32_t *)cni_arena_push(&world->arena, sizeof(uint32_t) * (uint64_t)loop->change_count);
+	if (items != NULL) {
+		changes.items = items;
+		changes.capacity = (int32_t)loop->change_count;
+	}
+	changes_list(loop, &changes);
 	deferred_collide(world, &changes, loop->list.dt);
-	return changes;
+	changes_apply(world, &changes, &loop->store, loop->list.dt);
+	cni_arena_pop(&world->arena, items);
 }
 
-/* Used when the arena has no room for the list: `reserve` holds CHANGES_LEAST changes. */
-static change_list collide_serial(cn_world *world, const collide_loop *loop, uint32_t *reserve)
+/* Where the arena has no room for marks of changes. */
+static void collide_serial(cn_world *world, collide_loop *loop, uint32_t *reserve)
 {
-	change_list changes;
+	change_list changes = { reserve, 0, CHANGES_LEAST };
+	int32_t k, count;
 	cni_cull cull;
 	window w;
-	changes.items = reserve;
-	changes.count = 0;
-	changes.capacity = CHANGES_LEAST;
 	window_init(&w, world, 1);
+	w.prefetches = loop->list.prefetches;
 	cni_cull_begin(&cull, &loop->list, 0, loop->list.count);
-	contacts_collide(world, &w, &cull, &changes, loop->list.dt);
-	return changes;
+	while ((count = cni_cull_next(&cull, w.pair, WINDOW)) > 0) {
+		window_collide(world, &w, count, loop->list.dt);
+		for (k = 0; k < count; ++k)
+			if (w.change[k] != CHANGE_NONE)
+				change_add(world, &changes, w.pair[k].index, w.change[k]);
+	}
+	cni_cull_close(&loop->list);
+	changes_apply(world, &changes, &loop->store, loop->list.dt);
 }
 
 void cni_stage_narrowphase(cn_world *world, float dt)
 {
-	int32_t *contacts = (int32_t *)world->apart.data, apart = world->apart.count, count, parts;
+	int32_t *contacts = (int32_t *)world->apart.data, apart = world->apart.count, count;
 	uint32_t reserve[CHANGES_LEAST];
-	change_list changes;
 	collide_loop loop;
 	if (contacts == NULL)
 		return; /* there has never been a contact */
 	count = apart + cni_manifolds_reuse(world, CNI_ON(FOLLOW) ? dt : 0.0f, contacts + apart); /* the list has room for every contact */
-	parts = count / RANGE_LEAST + 1;
-	loop.parts = (range_changes *)cni_arena_push(&world->arena, sizeof(range_changes) * (uint64_t)parts + sizeof(uint32_t) * (uint64_t)count);
+	loop.changes = (uint8_t *)cni_arena_push(&world->arena, (uint64_t)count);
+	cni_begun_open(&loop.store, world, apart, cni_min_i(world->pairs.list.count, apart));
 	cni_cull_open(&loop.list, world, contacts, apart, count, dt);
-	changes = loop.parts != NULL ? collide_parallel(world, &loop, parts) : collide_serial(world, &loop, reserve);
-	cni_cull_close(&loop.list);
-	changes_apply(world, &changes, dt);
-	cni_arena_pop(&world->arena, loop.parts);
+	if (loop.changes != NULL)
+		collide_parallel(world, &loop, reserve);
+	else
+		collide_serial(world, &loop, reserve);
+	cni_begun_close(&loop.store, world);
+	cni_arena_pop(&world->arena, loop.changes);
 }

@@ -286,3 +286,29 @@ void cni_touch_finish(const cn_world *world, float dt, cni_touch *out)
 	if (CNI_ON(MEETINGS) && out->manifold.count > 0 && nearest > 2.0f * world->settings.contact_margin)
 		meet(world, a, b, &out->in, dt, out);
 }
+
+/* ---- one-way platforms ---- */
+
+/* Does the other shape touch the platform's local +y side, within the contact margin in depth? */
+static int32_t lands_on_platform(const cn_world *world, const cni_contact *c, const cni_manifold *m)
+{
+	int32_t side = cni_shape_at(world, cni_proxy_at(world, c->proxy[0])->shape)->flags & CN_SHAPE_ONE_WAY ? 0 : 1;
+	const cni_body *a = cni_body_at(world, c->body[0]), *platform = cni_body_at(world, c->body[side]);
+	cni_vec2 up = cni_rotate(platform->q, cni_v(0.0f, 1.0f)), n = cni_rotate(a->q, m->normal);
+	float deepest = m->points[0].separation;
+	if (side == 1)
+		n = cni_neg(n);
+	if (m->count == 2)
+		deepest = cni_min(deepest, m->points[1].separation);
+	return cni_dot(n, up) > 0.7f && deepest > -world->settings.contact_margin;
+}
+
+void cni_touch_filter_one_way(const cn_world *world, cni_contact *c, cni_manifold *m)
+{
+	if (m->count == 0)
+		c->flags &= ~(uint32_t)CNI_CONTACT_PASSING;
+	else if (!(c->flags & (CNI_CONTACT_TOUCHING | CNI_CONTACT_PASSING)) && !lands_on_platform(world, c, m))
+		c->flags |= CNI_CONTACT_PASSING;
+	if (c->flags & CNI_CONTACT_PASSING)
+		m->count = 0;
+}

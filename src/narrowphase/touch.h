@@ -26,6 +26,7 @@ typedef struct cni_touch_pair {
 	cni_body *body[2];
 	const cni_proxy *proxy[2];
 	int32_t index; /* of the contact */
+	int32_t place; /* in the list of contacts to cull */
 } cni_touch_pair;
 
 typedef struct cni_touch {
@@ -48,6 +49,7 @@ static inline cni_touch_pair cni_touch_pair_of(const cn_world *world, cni_contac
 	p.proxy[0] = cni_proxy_at(world, c->proxy[0]);
 	p.proxy[1] = cni_proxy_at(world, c->proxy[1]);
 	p.index = index;
+	p.place = CNI_NONE;
 	return p;
 }
 
@@ -56,6 +58,8 @@ static inline cni_touch_pair cni_touch_pair_of(const cn_world *world, cni_contac
 int32_t cni_touch_begin(const cn_world *world, const cni_touch_pair *p, float dt, cni_touch *out);
 void cni_touch_collide(cni_touch *out);
 void cni_touch_finish(const cn_world *world, float dt, cni_touch *out);
+/* One-way platforms: a shape that first touches from below or from the side passes through until it no longer touches. */
+void cni_touch_filter_one_way(const cn_world *world, cni_contact *c, cni_manifold *m);
 
 /* Manifold reuse, the first part of stage 3: updates lanes whose bodies have hardly moved. Writes the contacts of all other lanes to
    remaining, which has room for every lane, and returns their number. dt 0: updates none. */

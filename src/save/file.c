@@ -112,6 +112,7 @@ static void world_fill(cn_world *world, cni_file *f)
 	cni_file_boxes(world, f);
 	if (f->result == CN_OK && !cni_file_world_holds(world))
 		cni_file_fail(f, CN_ERROR_FORMAT);
+	cni_file_contacts(world, f);
 	cni_file_broadphase(world, f);
 	if (f->result == CN_OK && cn_world_validate(world, NULL, 0) != CN_OK)
 		cni_file_fail(f, CN_ERROR_FORMAT);

@@ -401,6 +401,25 @@ void cni_file_broadphase(cn_world *world, cni_file *f)
 		broadphase_fill(world);
 }
 
+/* Files of earlier versions have contacts in any order, and not this flag. */
+static void contact_set_static(cn_world *world, cni_contact *c)
+{
+	cni_body *a = cni_body_at(world, c->body[0]), *b = cni_body_at(world, c->body[1]);
+	if ((c->flags & CNI_CONTACT_STATIC) || (a->type != CN_BODY_STATIC && b->type != CN_BODY_STATIC))
+		return;
+	c->flags |= CNI_CONTACT_STATIC;
+	a->flags |= CNI_BODY_MIXED;
+	b->flags |= CNI_BODY_MIXED;
+}
+
+void cni_file_contacts(cn_world *world, const cni_file *f)
+{
+	int32_t k;
+	for (k = 0; k < world->contact_used && f->result == CN_OK; ++k)
+		if (cni_contact_at(world, k)->body[0] != CNI_NONE)
+			contact_set_static(world, cni_contact_at(world, k));
+}
+
 void cni_file_boxes(cn_world *world, cni_file *f)
 {
 	int32_t k;

@@ -21,6 +21,7 @@
 
 #define BODIES_A_RANGE 256 /* some ten microseconds: records and shapes are read */
 #define READBACK_STEPS 64u
+#define BODIES_MANY 4096   /* whose shapes and boxes are not near anyway */
 #define BODIES_NEAR 64     /* whose records are still near after a loop over them; bits of a word */
 
 /* The conditions also catch NaN. Returns 1 for a body that is stopped. */
@@ -220,6 +221,27 @@ static void body_boxes_follow(const pose_loop *loop, int32_t k, int32_t no_room)
 		boxes_look_ahead(loop->world, loop->s, b, k);
 }
 
+/* Asks for what checking the boxes of some near bodies (bits from begin on) reads: first all shapes, then all that these lead to.
+   Forced inline: compilers treat a function that only prefetches as having no effect. */
+CNI_INLINE void boxes_prefetch(const cn_world *world, int32_t begin, uint64_t bodies)
+{
+	uint64_t left;
+	for (left = bodies; left != 0; ) {
+		const cni_shape *s = cni_shape_at(world, cni_max_i(cni_body_at(world, cni_awake_ids(world)[begin + bit_take(&left)])->shape_first, 0));
+		CNI_PREFETCH(s);
+		CNI_PREFETCH((const char *)(s + 1) - 1);
+	}
+	for (left = bodies; left != 0; ) {
+		int32_t shape = cni_body_at(world, cni_awake_ids(world)[begin + bit_take(&left)])->shape_first;
+		const cni_shape *s = shape != CNI_NONE ? cni_shape_at(world, shape) : NULL;
+		if (s == NULL || s->type == CN_SHAPE_CHAIN || s->box.proxy == CNI_NONE)
+			continue;
+		CNI_PREFETCH(&cni_proxy_at(world, s->box.proxy)->fat);
+		CNI_PREFETCH(cni_shape_geometry(&world->blocks, s));
+		CNI_PREFETCH((const char *)cni_shape_geometry(&world->blocks, s) + 64);
+	}
+}
+
 static void pose_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
 	pose_loop *loop = (pose_loop *)context;
@@ -230,6 +252,8 @@ static void pose_range(void *context, int32_t begin, int32_t end, int32_t worker
 		uint64_t no_room;
 		last = cni_min_i(first + BODIES_NEAR, end + 1);
 		no_room = bodies_take(loop->world, loop->s, first, last, &rested);
+		if (loop->world->awake_count >= BODIES_MANY)
+			boxes_prefetch(loop->world, first, no_room);
 		for (k = first; k < last && (no_room != 0 || loop->moved != NULL); ++k, no_room >>= 1)
 			body_boxes_follow(loop, k, (int32_t)(no_room & 1u));
 	}

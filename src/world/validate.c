@@ -79,11 +79,15 @@ static void check_contacts_of(report *r, int32_t body)
 {
 	const cn_world *world = r->world;
 	const cni_body *b = cni_body_at(world, body);
-	int32_t key, count = 0, lanes = 0;
+	int32_t key, count = 0, lanes = 0, in_front = 1;
 	uint32_t colors = 0;
 	for (key = b->contact_first; key != CNI_NONE && r->what == NULL; key = cni_contact_of_key(world, key)->next[key & 1]) {
 		const cni_contact *c = cni_contact_of_key(world, key);
+		int32_t is_static = cni_body_at(world, c->body[0])->type == CN_BODY_STATIC || cni_body_at(world, c->body[1])->type == CN_BODY_STATIC;
 		expect(r, c->body[key & 1] == body, "contact list of body", body);
+		expect(r, ((c->flags & CNI_CONTACT_STATIC) != 0) == is_static, "static flag of contact", key >> 1);
+		expect(r, !is_static || in_front || (b->flags & CNI_BODY_MIXED), "order of contacts of body", body);
+		in_front = is_static;
 		++count;
 		if ((c->flags & (CNI_CONTACT_TOUCHING | CNI_CONTACT_ASLEEP)) != CNI_CONTACT_TOUCHING)
 			continue;

@@ -886,12 +886,12 @@ typedef struct arch_scene {
 static const arch_scene arch_scenes[ARCH_SCENES] = {
 	{ "shapes", scene_shapes, 0x013c99c8a94b5923 },
 	{ "joints", scene_joints, 0x57a746ac8a36cddf },
-	{ "direct", scene_direct, 0xdae756776798e53c },
-	{ "tiers", scene_tiers, 0x6538ed019744e950 },
+	{ "direct", scene_direct, 0xcb1eb9674c812141 },
+	{ "tiers", scene_tiers, 0x4eb563300105c5fd },
 	{ "sequential", scene_sequential, 0x14673e5a64320f7c },
 	{ "queries", scene_queries, 0x9078b2fad7e8282c },
-	{ "events", scene_events, 0x591c1ec096b3553a },
-	{ "file", scene_file, 0x5c8f678841790fdc },
+	{ "events", scene_events, 0xaf4feece2a125d81 },
+	{ "file", scene_file, 0x18ee8fbee35db15e },
 };
 
 /* The number of a scene; 0 if a call failed: arch_failed_line. */

@@ -1,11 +1,11 @@
 /*
- * test/save/file_test.c - a world that is read from its bytes goes on bit for bit like the written one, with the game's handles, after
+ * test/world/file_test.c - a world that is read from its bytes goes on bit for bit like the written one, with the game's handles, after
  * every kind of history and in memory of every kind; the bytes are the same on every machine; whatever is no written world is refused.
  */
 #include "files.h"
 
 #include "world/joints.h"
-#include "save/file.h"
+#include "world/file.h"
 
 #define LOCKSTEP 40
 
@@ -297,7 +297,7 @@ static void t_the_bytes_are_the_same_everywhere(void)
 
 /* ---- completeness ---- */
 
-/* A new member of a record must be put into its list in src/save/file_fields.c. Counted where records have no padding. */
+/* A new member of a record must be put into its list in src/world/file_fields.c. Counted where records have no padding. */
 static void t_every_member_is_known(void)
 {
 	int32_t unknown = cni_file_unknown();

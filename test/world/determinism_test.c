@@ -28,7 +28,7 @@ static const golden goldens[] = {
 	{ "small_200", 300, 1, 0x28aee4f04e043a96 },
 	{ "small_50_sleep", 600, 1, 0x8ce4e34fa6ab6b1c },
 	{ "dominoes", 400, 1, 0x6e80a7e88e91e3bc },
-	{ "ragdolls", 480, 1, 0x1b0ddd3e120129ba },
+	{ "ragdolls", 480, 1, 0xcdc7d690d67faf57 },
 	{ "bridge", 240, 1, 0xfb581988502e45e7 },
 	{ "car", 400, 1, 0xe2aedc3a6fb7c505 },
 	{ "mixer", 240, 1, 0x2d234f91152a58e2 },
