@@ -36,11 +36,10 @@
  *             to the world and are valid until the next cn_world_step or cn_world_destroy.
  *  Structs    initialise definitions with their *_init function; their first field, struct_size,
  *             tells the library which version of the struct it was given. Fields are only appended.
- *  Defaults   the *_init function stores the default of every field. Where a default depends on the world
- *             (its length unit, its own setting), the field holds CN_DEFAULT, and only exactly this value
- *             stands for the default. Zero always means zero; it is refused where it is out of range. In
- *             worlds, bodies and shapes no field takes zero for the default; in joints the comment of a
- *             field says where 0 switches a part off.
+ *  Defaults   the *_init function stores the default of every field of a definition. Where the default is no
+ *             number in the field's range (it depends on the world, or means "no limit", "rigid", "never"),
+ *             the field holds CN_DEFAULT, and only exactly this value stands for the default. Zero always
+ *             means zero; it is refused where it is out of range. No field takes zero for the default.
  *  Threads    one world may be used by one thread at a time; different worlds share nothing, so any
  *             number may be used at once. Functions that take a const cn_world may be called from
  *             several threads at once while no other function runs on that world. Inside cn_world_step
@@ -96,7 +95,7 @@ extern "C" {
 
 /* ------------------------------------------------------------------ basic types */
 
-/* In a definition: the default of a field whose comment names CN_DEFAULT. */
+/* In a definition: the default of a field whose comment names CN_DEFAULT; other fields refuse it where it is out of their range. */
 enum { CN_DEFAULT = -1 };
 
 typedef int32_t cn_result; /* CN_OK or a CN_ERROR_ */
@@ -293,7 +292,8 @@ typedef struct cn_world_def {
 	int32_t substep_count;            /* 1 to 64; default 4 */
 	float accuracy_m;                 /* CN_SOLVER_AUTO aims at errors below this, >= 0; CN_DEFAULT (default): 0.005 x length unit */
 	int32_t work_budget;              /* limit of direct solving in a step, in factored blocks (joints, contacts and their fill),
-	                                     substeps included, about 10 ns each; 0 to 1e9; default 0: the limits of single islands only */
+	                                     substeps included, about 10 ns each; 1 to 1e9; CN_DEFAULT (default): the limits of single
+	                                     islands only */
 	float restitution_threshold_mps;  /* slower impacts do not bounce, >= 0; CN_DEFAULT (default): 1 x length unit */
 	float push_speed_max_mps;         /* greatest speed at which overlaps are pushed apart, > 0; CN_DEFAULT (default): 3 x length unit */
 	float linear_speed_max_mps;       /* faster bodies are slowed to it, > 0; CN_DEFAULT (default): 400 x length unit */
@@ -313,8 +313,8 @@ typedef struct cn_world_def {
 	cn_enqueue_fn *enqueue;           /* NULL: the world's own threads; set both or none */
 	cn_finish_fn *finish;             /* see cn_finish_fn */
 	void *task_user;                  /* last argument of enqueue and finish */
-	int32_t worker_count;             /* threads that share a step, including the calling one; 0 to CN_WORKERS_MAX;
-	                                     default 0, the same as 1: no threads, no tasks */
+	int32_t worker_count;             /* threads that share a step, including the calling one; 1 to CN_WORKERS_MAX;
+	                                     default 1: no threads, no tasks */
 	float hit_speed_mps;              /* blows at least this fast are reported by CN_EVENT_HIT, >= 0; CN_DEFAULT (default): 1 x length unit */
 	/* Of a world in one block (memory); others ignore them. */
 	int32_t touching_capacity;        /* pairs that touch at once, >= 0; further ones do not collide: CN_WARNING_CONTACT_MEMORY;
@@ -360,9 +360,9 @@ CN_API cn_result cn_world_get_substep_count(const cn_world *world, int32_t *out_
 CN_API cn_result cn_world_set_solver(cn_world *world, int32_t solver);
 /* Reads the solver (CN_SOLVER_*). */
 CN_API cn_result cn_world_get_solver(const cn_world *world, int32_t *out_solver);
-/* Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, or CN_DEFAULT; 0 to 1e9, 0 for no limit. */
+/* Sets accuracy_m and work_budget as in cn_world_def: metres >= 0 and 1 to 1e9, or CN_DEFAULT. */
 CN_API cn_result cn_world_set_accuracy(cn_world *world, float accuracy_m, int32_t work_budget);
-/* Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget. */
+/* Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget (CN_DEFAULT: none). */
 CN_API cn_result cn_world_get_accuracy(const cn_world *world, float *out_accuracy_m, int32_t *out_work_budget);
 /* Reads how many workers a step can use: 1, or worker_count where the library supports threads. */
 CN_API cn_result cn_world_get_worker_count(const cn_world *world, int32_t *out_count);
@@ -1123,11 +1123,11 @@ typedef struct cn_joint_base {
 	cn_body body_b;         /* 0: the world; one of the two must be dynamic */
 	cn_vec2 anchor_a_m;     /* in body a's local frame, or in world coordinates */
 	cn_vec2 anchor_b_m;     /* the same for body b */
-	float stiffness_hertz;  /* of the rigid parts, 0 to 1e6; 0 (default): as stiff as the substeps permit */
-	float stiffness_damping_ratio; /* used when stiffness_hertz > 0; 0 to 1e6 */
-	float force_max_N;      /* greatest force of anchors, axes and limits, >= 0; 0 (default): unbounded */
-	float torque_max_Nm;    /* greatest torque of angles, >= 0; 0 (default): unbounded */
-	float break_force_N;    /* a reaction above this in any substep is reported (cn_world_joint_events); 0 (default): never */
+	float stiffness_hertz;  /* of the rigid parts, > 0, to 1e6; CN_DEFAULT (default): as stiff as the substeps permit */
+	float stiffness_damping_ratio; /* used with a stiffness_hertz; 0 to 1e6, default 0 */
+	float force_max_N;      /* greatest force of anchors, axes and limits, > 0; CN_DEFAULT (default): unbounded */
+	float torque_max_Nm;    /* greatest torque of angles, > 0; CN_DEFAULT (default): unbounded */
+	float break_force_N;    /* a reaction above this in any substep is reported (cn_world_joint_events), > 0; CN_DEFAULT (default): never */
 	float break_torque_Nm;  /* the same for the torque */
 	uint64_t user_data;
 } cn_joint_base;
@@ -1163,7 +1163,7 @@ typedef struct cn_distance_def {
 typedef struct cn_fixed_def {
 	cn_joint_base base;
 	float reference_angle_rad;    /* angle b - angle a */
-	float angular_hertz;          /* stiffness of the angle alone, 0 to 1e6; 0: the base's */
+	float angular_hertz;          /* stiffness of the angle alone, > 0, to 1e6; CN_DEFAULT (default): the base's */
 	float angular_damping_ratio;  /* 0 to 1e6 */
 	float reserved;
 } cn_fixed_def;
@@ -1474,9 +1474,9 @@ typedef struct cn_angle_constraint_def {
 	cn_body body;             /* must be dynamic */
 	float lower_rad;          /* lower <= upper; equal: locked */
 	float upper_rad;
-	float hertz;              /* 0 (default): rigid; to 1e6 */
-	float damping_ratio;      /* used when hertz > 0; 0 to 1e6 */
-	float break_torque_Nm;    /* a reaction above this is reported (cn_world_joint_events); 0: never */
+	float hertz;              /* > 0, to 1e6; CN_DEFAULT (default): rigid */
+	float damping_ratio;      /* used with a hertz; 0 to 1e6 */
+	float break_torque_Nm;    /* a reaction above this is reported (cn_world_joint_events), > 0; CN_DEFAULT (default): never */
 	uint64_t user_data;
 } cn_angle_constraint_def;
 
@@ -1491,9 +1491,9 @@ typedef struct cn_line_constraint_def {
 	float tolerance_m;        /* >= 0: free play across the axis */
 	float lower_m;            /* CN_CONSTRAINT_LIMIT: along the axis from origin; lower <= upper */
 	float upper_m;
-	float hertz;              /* 0 (default): rigid; to 1e6 */
-	float damping_ratio;      /* used when hertz > 0; 0 to 1e6 */
-	float break_force_N;      /* a reaction above this is reported (cn_world_joint_events); 0: never */
+	float hertz;              /* > 0, to 1e6; CN_DEFAULT (default): rigid */
+	float damping_ratio;      /* used with a hertz; 0 to 1e6 */
+	float break_force_N;      /* a reaction above this is reported (cn_world_joint_events), > 0; CN_DEFAULT (default): never */
 	uint32_t reserved;
 	uint64_t user_data;
 } cn_line_constraint_def;
@@ -1822,7 +1822,7 @@ typedef struct cn_area_def {
 	cn_vec2 gravity_mps2;         /* acceleration in the axes of the world, times the body's gravity_scale; default (0, 0) */
 	cn_vec2 center_m;             /* of pull_mps2, in the frame of the sensor's body; default (0, 0) */
 	float pull_mps2;              /* acceleration towards center_m; negative pushes; default 0 */
-	float pull_distance_m;        /* 0 (default): pull_mps2 at every distance; to 1e6 length units: at this distance, with its inverse square
+	float pull_distance_m;        /* CN_DEFAULT (default): pull_mps2 at every distance; > 0, to 1e6 length units: at this distance, with its inverse square
 	                                 outside, and falling to 0 at the centre: a homogeneous planet */
 	float linear_damping_per_s;   /* of the velocity relative to flow_mps, added to the body's own; of the displaced mass in a medium
 	                                 with density (which is the body's mass where it floats), else of the body's; 0 to 1e9, default 0 */

@@ -222,7 +222,7 @@ namespace Cairn
 		/// <summary>CN_SOLVER_AUTO aims at errors below this, &gt;= 0; CN_DEFAULT (default): 0.005 x length unit</summary>
 		public float accuracy_m;
 		/// <summary>limit of direct solving in a step, in factored blocks (joints, contacts and their fill), substeps
-		/// included, about 10 ns each; 0 to 1e9; default 0: the limits of single islands only</summary>
+		/// included, about 10 ns each; 1 to 1e9; CN_DEFAULT (default): the limits of single islands only</summary>
 		public int work_budget;
 		/// <summary>slower impacts do not bounce, &gt;= 0; CN_DEFAULT (default): 1 x length unit</summary>
 		public float restitution_threshold_mps;
@@ -261,8 +261,8 @@ namespace Cairn
 		public IntPtr finish;
 		/// <summary>last argument of enqueue and finish</summary>
 		public void* task_user;
-		/// <summary>threads that share a step, including the calling one; 0 to CN_WORKERS_MAX; default 0, the same as 1: no
-		/// threads, no tasks</summary>
+		/// <summary>threads that share a step, including the calling one; 1 to CN_WORKERS_MAX; default 1: no threads, no
+		/// tasks</summary>
 		public int worker_count;
 		/// <summary>blows at least this fast are reported by CN_EVENT_HIT, &gt;= 0; CN_DEFAULT (default): 1 x length unit</summary>
 		public float hit_speed_mps;
@@ -649,15 +649,16 @@ namespace Cairn
 		public cn_vec2 anchor_a_m;
 		/// <summary>the same for body b</summary>
 		public cn_vec2 anchor_b_m;
-		/// <summary>of the rigid parts, 0 to 1e6; 0 (default): as stiff as the substeps permit</summary>
+		/// <summary>of the rigid parts, &gt; 0, to 1e6; CN_DEFAULT (default): as stiff as the substeps permit</summary>
 		public float stiffness_hertz;
-		/// <summary>used when stiffness_hertz &gt; 0; 0 to 1e6</summary>
+		/// <summary>used with a stiffness_hertz; 0 to 1e6, default 0</summary>
 		public float stiffness_damping_ratio;
-		/// <summary>greatest force of anchors, axes and limits, &gt;= 0; 0 (default): unbounded</summary>
+		/// <summary>greatest force of anchors, axes and limits, &gt; 0; CN_DEFAULT (default): unbounded</summary>
 		public float force_max_N;
-		/// <summary>greatest torque of angles, &gt;= 0; 0 (default): unbounded</summary>
+		/// <summary>greatest torque of angles, &gt; 0; CN_DEFAULT (default): unbounded</summary>
 		public float torque_max_Nm;
-		/// <summary>a reaction above this in any substep is reported (cn_world_joint_events); 0 (default): never</summary>
+		/// <summary>a reaction above this in any substep is reported (cn_world_joint_events), &gt; 0; CN_DEFAULT (default):
+		/// never</summary>
 		public float break_force_N;
 		/// <summary>the same for the torque</summary>
 		public float break_torque_Nm;
@@ -715,7 +716,7 @@ namespace Cairn
 		public cn_joint_base @base;
 		/// <summary>angle b - angle a</summary>
 		public float reference_angle_rad;
-		/// <summary>stiffness of the angle alone, 0 to 1e6; 0: the base's</summary>
+		/// <summary>stiffness of the angle alone, &gt; 0, to 1e6; CN_DEFAULT (default): the base's</summary>
 		public float angular_hertz;
 		/// <summary>0 to 1e6</summary>
 		public float angular_damping_ratio;
@@ -904,11 +905,11 @@ namespace Cairn
 		/// <summary>lower &lt;= upper; equal: locked</summary>
 		public float lower_rad;
 		public float upper_rad;
-		/// <summary>0 (default): rigid; to 1e6</summary>
+		/// <summary>&gt; 0, to 1e6; CN_DEFAULT (default): rigid</summary>
 		public float hertz;
-		/// <summary>used when hertz &gt; 0; 0 to 1e6</summary>
+		/// <summary>used with a hertz; 0 to 1e6</summary>
 		public float damping_ratio;
-		/// <summary>a reaction above this is reported (cn_world_joint_events); 0: never</summary>
+		/// <summary>a reaction above this is reported (cn_world_joint_events), &gt; 0; CN_DEFAULT (default): never</summary>
 		public float break_torque_Nm;
 		public ulong user_data;
 	}
@@ -934,11 +935,11 @@ namespace Cairn
 		/// <summary>CN_CONSTRAINT_LIMIT: along the axis from origin; lower &lt;= upper</summary>
 		public float lower_m;
 		public float upper_m;
-		/// <summary>0 (default): rigid; to 1e6</summary>
+		/// <summary>&gt; 0, to 1e6; CN_DEFAULT (default): rigid</summary>
 		public float hertz;
-		/// <summary>used when hertz &gt; 0; 0 to 1e6</summary>
+		/// <summary>used with a hertz; 0 to 1e6</summary>
 		public float damping_ratio;
-		/// <summary>a reaction above this is reported (cn_world_joint_events); 0: never</summary>
+		/// <summary>a reaction above this is reported (cn_world_joint_events), &gt; 0; CN_DEFAULT (default): never</summary>
 		public float break_force_N;
 		public uint reserved;
 		public ulong user_data;
@@ -1165,8 +1166,8 @@ namespace Cairn
 		public cn_vec2 center_m;
 		/// <summary>acceleration towards center_m; negative pushes; default 0</summary>
 		public float pull_mps2;
-		/// <summary>0 (default): pull_mps2 at every distance; to 1e6 length units: at this distance, with its inverse square
-		/// outside, and falling to 0 at the centre: a homogeneous planet</summary>
+		/// <summary>CN_DEFAULT (default): pull_mps2 at every distance; &gt; 0, to 1e6 length units: at this distance, with
+		/// its inverse square outside, and falling to 0 at the centre: a homogeneous planet</summary>
 		public float pull_distance_m;
 		/// <summary>of the velocity relative to flow_mps, added to the body's own; of the displaced mass in a medium with
 		/// density (which is the body's mass where it floats), else of the body's; 0 to 1e9, default 0</summary>
@@ -1318,8 +1319,10 @@ namespace Cairn
 		public const int CN_WORKERS_MAX = 64;
 		public const int CN_MAX_HANDLES = 1048575;
 
-		// In a definition: the default of a field whose comment names CN_DEFAULT.
-		/// <summary>In a definition: the default of a field whose comment names CN_DEFAULT.</summary>
+		// In a definition: the default of a field whose comment names CN_DEFAULT; other fields refuse it where it
+		// is out of their range.
+		/// <summary>In a definition: the default of a field whose comment names CN_DEFAULT; other fields refuse it where it
+		/// is out of their range.</summary>
 		public const int CN_DEFAULT = -1;
 
 		// Result codes.
@@ -1739,12 +1742,12 @@ namespace Cairn
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_get_solver(cn_world* world, int* out_solver);
 
-		/// <summary>Sets accuracy_m and work_budget as in cn_world_def: metres &gt;= 0, or CN_DEFAULT; 0 to 1e9, 0 for no
-		/// limit.</summary>
+		/// <summary>Sets accuracy_m and work_budget as in cn_world_def: metres &gt;= 0 and 1 to 1e9, or CN_DEFAULT.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_set_accuracy(cn_world* world, float accuracy_m, int work_budget);
 
-		/// <summary>Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget.</summary>
+		/// <summary>Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget
+		/// (CN_DEFAULT: none).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_get_accuracy(cn_world* world, float* out_accuracy_m, int* out_work_budget);
 

@@ -135,7 +135,7 @@ namespace Cairn
 		/// <summary>CN_SOLVER_AUTO aims at errors below this, &gt;= 0; CN_DEFAULT (default): 0.005 x length unit</summary>
 		public float AccuracyM;
 		/// <summary>limit of direct solving in a step, in factored blocks (joints, contacts and their fill), substeps
-		/// included, about 10 ns each; 0 to 1e9; default 0: the limits of single islands only</summary>
+		/// included, about 10 ns each; 1 to 1e9; CN_DEFAULT (default): the limits of single islands only</summary>
 		public int WorkBudget;
 		/// <summary>slower impacts do not bounce, &gt;= 0; CN_DEFAULT (default): 1 x length unit</summary>
 		public float RestitutionThresholdMps;
@@ -174,8 +174,8 @@ namespace Cairn
 		internal IntPtr Finish;
 		/// <summary>last argument of enqueue and finish</summary>
 		internal IntPtr TaskUser;
-		/// <summary>threads that share a step, including the calling one; 0 to CN_WORKERS_MAX; default 0, the same as 1: no
-		/// threads, no tasks</summary>
+		/// <summary>threads that share a step, including the calling one; 1 to CN_WORKERS_MAX; default 1: no threads, no
+		/// tasks</summary>
 		public int WorkerCount;
 		/// <summary>blows at least this fast are reported by CN_EVENT_HIT, &gt;= 0; CN_DEFAULT (default): 1 x length unit</summary>
 		public float HitSpeedMps;
@@ -595,15 +595,16 @@ namespace Cairn
 		public Vec2 AnchorAM;
 		/// <summary>the same for body b</summary>
 		public Vec2 AnchorBM;
-		/// <summary>of the rigid parts, 0 to 1e6; 0 (default): as stiff as the substeps permit</summary>
+		/// <summary>of the rigid parts, &gt; 0, to 1e6; CN_DEFAULT (default): as stiff as the substeps permit</summary>
 		public float StiffnessHertz;
-		/// <summary>used when stiffness_hertz &gt; 0; 0 to 1e6</summary>
+		/// <summary>used with a stiffness_hertz; 0 to 1e6, default 0</summary>
 		public float StiffnessDampingRatio;
-		/// <summary>greatest force of anchors, axes and limits, &gt;= 0; 0 (default): unbounded</summary>
+		/// <summary>greatest force of anchors, axes and limits, &gt; 0; CN_DEFAULT (default): unbounded</summary>
 		public float ForceMaxN;
-		/// <summary>greatest torque of angles, &gt;= 0; 0 (default): unbounded</summary>
+		/// <summary>greatest torque of angles, &gt; 0; CN_DEFAULT (default): unbounded</summary>
 		public float TorqueMaxNm;
-		/// <summary>a reaction above this in any substep is reported (cn_world_joint_events); 0 (default): never</summary>
+		/// <summary>a reaction above this in any substep is reported (cn_world_joint_events), &gt; 0; CN_DEFAULT (default):
+		/// never</summary>
 		public float BreakForceN;
 		/// <summary>the same for the torque</summary>
 		public float BreakTorqueNm;
@@ -683,7 +684,7 @@ namespace Cairn
 		public JointBase Base;
 		/// <summary>angle b - angle a</summary>
 		public float ReferenceAngleRad;
-		/// <summary>stiffness of the angle alone, 0 to 1e6; 0: the base's</summary>
+		/// <summary>stiffness of the angle alone, &gt; 0, to 1e6; CN_DEFAULT (default): the base's</summary>
 		public float AngularHertz;
 		/// <summary>0 to 1e6</summary>
 		public float AngularDampingRatio;
@@ -993,11 +994,11 @@ namespace Cairn
 		/// <summary>lower &lt;= upper; equal: locked</summary>
 		public float LowerRad;
 		public float UpperRad;
-		/// <summary>0 (default): rigid; to 1e6</summary>
+		/// <summary>&gt; 0, to 1e6; CN_DEFAULT (default): rigid</summary>
 		public float Hertz;
-		/// <summary>used when hertz &gt; 0; 0 to 1e6</summary>
+		/// <summary>used with a hertz; 0 to 1e6</summary>
 		public float DampingRatio;
-		/// <summary>a reaction above this is reported (cn_world_joint_events); 0: never</summary>
+		/// <summary>a reaction above this is reported (cn_world_joint_events), &gt; 0; CN_DEFAULT (default): never</summary>
 		public float BreakTorqueNm;
 		public ulong UserData;
 
@@ -1034,11 +1035,11 @@ namespace Cairn
 		/// <summary>CN_CONSTRAINT_LIMIT: along the axis from origin; lower &lt;= upper</summary>
 		public float LowerM;
 		public float UpperM;
-		/// <summary>0 (default): rigid; to 1e6</summary>
+		/// <summary>&gt; 0, to 1e6; CN_DEFAULT (default): rigid</summary>
 		public float Hertz;
-		/// <summary>used when hertz &gt; 0; 0 to 1e6</summary>
+		/// <summary>used with a hertz; 0 to 1e6</summary>
 		public float DampingRatio;
-		/// <summary>a reaction above this is reported (cn_world_joint_events); 0: never</summary>
+		/// <summary>a reaction above this is reported (cn_world_joint_events), &gt; 0; CN_DEFAULT (default): never</summary>
 		public float BreakForceN;
 		public uint Reserved;
 		public ulong UserData;
@@ -1298,8 +1299,8 @@ namespace Cairn
 		public Vec2 CenterM;
 		/// <summary>acceleration towards center_m; negative pushes; default 0</summary>
 		public float PullMps2;
-		/// <summary>0 (default): pull_mps2 at every distance; to 1e6 length units: at this distance, with its inverse square
-		/// outside, and falling to 0 at the centre: a homogeneous planet</summary>
+		/// <summary>CN_DEFAULT (default): pull_mps2 at every distance; &gt; 0, to 1e6 length units: at this distance, with
+		/// its inverse square outside, and falling to 0 at the centre: a homogeneous planet</summary>
 		public float PullDistanceM;
 		/// <summary>of the velocity relative to flow_mps, added to the body's own; of the displaced mass in a medium with
 		/// density (which is the body's mass where it floats), else of the body's; 0 to 1e9, default 0</summary>
@@ -1574,15 +1575,15 @@ namespace Cairn
 			return out0;
 		}
 
-		/// <summary>Sets accuracy_m and work_budget as in cn_world_def: metres &gt;= 0, or CN_DEFAULT; 0 to 1e9, 0 for no
-		/// limit.</summary>
+		/// <summary>Sets accuracy_m and work_budget as in cn_world_def: metres &gt;= 0 and 1 to 1e9, or CN_DEFAULT.</summary>
 		public void SetAccuracy(float accuracyM, int workBudget)
 		{
 			Call.Check(Native.cn_world_set_accuracy(Pointer, accuracyM, workBudget), Pointer);
 			GC.KeepAlive(this);
 		}
 
-		/// <summary>Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget.</summary>
+		/// <summary>Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget
+		/// (CN_DEFAULT: none).</summary>
 		public (float AccuracyM, int WorkBudget) GetAccuracy()
 		{
 			float out0;

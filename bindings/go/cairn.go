@@ -280,7 +280,7 @@ type WorldDef struct {
 	// CN_SOLVER_AUTO aims at errors below this, >= 0; CN_DEFAULT (default): 0.005 x length unit
 	AccuracyM float32
 	// limit of direct solving in a step, in factored blocks (joints, contacts and their fill), substeps
-	// included, about 10 ns each; 0 to 1e9; default 0: the limits of single islands only
+	// included, about 10 ns each; 1 to 1e9; CN_DEFAULT (default): the limits of single islands only
 	WorkBudget int32
 	// slower impacts do not bounce, >= 0; CN_DEFAULT (default): 1 x length unit
 	RestitutionThresholdMps float32
@@ -319,8 +319,7 @@ type WorldDef struct {
 	c_finish unsafe.Pointer
 	// last argument of enqueue and finish
 	c_task_user unsafe.Pointer
-	// threads that share a step, including the calling one; 0 to CN_WORKERS_MAX; default 0, the same as 1: no
-	// threads, no tasks
+	// threads that share a step, including the calling one; 1 to CN_WORKERS_MAX; default 1: no threads, no tasks
 	WorkerCount int32
 	// blows at least this fast are reported by CN_EVENT_HIT, >= 0; CN_DEFAULT (default): 1 x length unit
 	HitSpeedMps float32
@@ -728,15 +727,15 @@ type JointBase struct {
 	AnchorAM Vec2
 	// the same for body b
 	AnchorBM Vec2
-	// of the rigid parts, 0 to 1e6; 0 (default): as stiff as the substeps permit
+	// of the rigid parts, > 0, to 1e6; CN_DEFAULT (default): as stiff as the substeps permit
 	StiffnessHertz float32
-	// used when stiffness_hertz > 0; 0 to 1e6
+	// used with a stiffness_hertz; 0 to 1e6, default 0
 	StiffnessDampingRatio float32
-	// greatest force of anchors, axes and limits, >= 0; 0 (default): unbounded
+	// greatest force of anchors, axes and limits, > 0; CN_DEFAULT (default): unbounded
 	ForceMaxN float32
-	// greatest torque of angles, >= 0; 0 (default): unbounded
+	// greatest torque of angles, > 0; CN_DEFAULT (default): unbounded
 	TorqueMaxNm float32
-	// a reaction above this in any substep is reported (cn_world_joint_events); 0 (default): never
+	// a reaction above this in any substep is reported (cn_world_joint_events), > 0; CN_DEFAULT (default): never
 	BreakForceN float32
 	// the same for the torque
 	BreakTorqueNm float32
@@ -808,7 +807,7 @@ type FixedDef struct {
 	Base JointBase
 	// angle b - angle a
 	ReferenceAngleRad float32
-	// stiffness of the angle alone, 0 to 1e6; 0: the base's
+	// stiffness of the angle alone, > 0, to 1e6; CN_DEFAULT (default): the base's
 	AngularHertz float32
 	// 0 to 1e6
 	AngularDampingRatio float32
@@ -1075,11 +1074,11 @@ type AngleConstraintDef struct {
 	// lower <= upper; equal: locked
 	LowerRad float32
 	UpperRad float32
-	// 0 (default): rigid; to 1e6
+	// > 0, to 1e6; CN_DEFAULT (default): rigid
 	Hertz float32
-	// used when hertz > 0; 0 to 1e6
+	// used with a hertz; 0 to 1e6
 	DampingRatio float32
-	// a reaction above this is reported (cn_world_joint_events); 0: never
+	// a reaction above this is reported (cn_world_joint_events), > 0; CN_DEFAULT (default): never
 	BreakTorqueNm float32
 	UserData uint64
 }
@@ -1112,11 +1111,11 @@ type LineConstraintDef struct {
 	// CN_CONSTRAINT_LIMIT: along the axis from origin; lower <= upper
 	LowerM float32
 	UpperM float32
-	// 0 (default): rigid; to 1e6
+	// > 0, to 1e6; CN_DEFAULT (default): rigid
 	Hertz float32
-	// used when hertz > 0; 0 to 1e6
+	// used with a hertz; 0 to 1e6
 	DampingRatio float32
-	// a reaction above this is reported (cn_world_joint_events); 0: never
+	// a reaction above this is reported (cn_world_joint_events), > 0; CN_DEFAULT (default): never
 	BreakForceN float32
 	Reserved uint32
 	UserData uint64
@@ -1364,8 +1363,8 @@ type AreaDef struct {
 	CenterM Vec2
 	// acceleration towards center_m; negative pushes; default 0
 	PullMps2 float32
-	// 0 (default): pull_mps2 at every distance; to 1e6 length units: at this distance, with its inverse square
-	// outside, and falling to 0 at the centre: a homogeneous planet
+	// CN_DEFAULT (default): pull_mps2 at every distance; > 0, to 1e6 length units: at this distance, with its
+	// inverse square outside, and falling to 0 at the centre: a homogeneous planet
 	PullDistanceM float32
 	// of the velocity relative to flow_mps, added to the body's own; of the displaced mass in a medium with
 	// density (which is the body's mass where it floats), else of the body's; 0 to 1e9, default 0
@@ -1507,15 +1506,14 @@ func (w *World) GetSolver() (int32, error) {
 	return out0, nil
 }
 
-// SetAccuracy: Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, or CN_DEFAULT; 0 to 1e9, 0
-// for no limit.
+// SetAccuracy: Sets accuracy_m and work_budget as in cn_world_def: metres >= 0 and 1 to 1e9, or CN_DEFAULT.
 func (w *World) SetAccuracy(accuracy_m float32, work_budget int32) error {
 	defer runtime.KeepAlive(w)
 	return w.check(C.cn_world_set_accuracy(w.c(), C.float(accuracy_m), C.int32_t(work_budget)))
 }
 
 // GetAccuracy: Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work
-// budget.
+// budget (CN_DEFAULT: none).
 func (w *World) GetAccuracy() (float32, int32, error) {
 	defer runtime.KeepAlive(w)
 	var out0 float32

@@ -264,7 +264,7 @@ export interface WorldDef {
 	/** CN_SOLVER_AUTO aims at errors below this, >= 0; CN_DEFAULT (default): 0.005 x length unit */
 	accuracy_m: number;
 	/** limit of direct solving in a step, in factored blocks (joints, contacts and their fill), substeps
-	included, about 10 ns each; 0 to 1e9; default 0: the limits of single islands only */
+	included, about 10 ns each; 1 to 1e9; CN_DEFAULT (default): the limits of single islands only */
 	work_budget: number;
 	/** slower impacts do not bounce, >= 0; CN_DEFAULT (default): 1 x length unit */
 	restitution_threshold_mps: number;
@@ -289,8 +289,8 @@ export interface WorldDef {
 	user_data: bigint;
 	/** size of memory; 0: use alloc and free */
 	memory_bytes: bigint;
-	/** threads that share a step, including the calling one; 0 to CN_WORKERS_MAX; default 0, the same as 1: no
-	threads, no tasks */
+	/** threads that share a step, including the calling one; 1 to CN_WORKERS_MAX; default 1: no threads, no
+	tasks */
 	worker_count: number;
 	/** blows at least this fast are reported by CN_EVENT_HIT, >= 0; CN_DEFAULT (default): 1 x length unit */
 	hit_speed_mps: number;
@@ -639,15 +639,16 @@ export interface JointBase {
 	anchor_a_m: Vec2;
 	/** the same for body b */
 	anchor_b_m: Vec2;
-	/** of the rigid parts, 0 to 1e6; 0 (default): as stiff as the substeps permit */
+	/** of the rigid parts, > 0, to 1e6; CN_DEFAULT (default): as stiff as the substeps permit */
 	stiffness_hertz: number;
-	/** used when stiffness_hertz > 0; 0 to 1e6 */
+	/** used with a stiffness_hertz; 0 to 1e6, default 0 */
 	stiffness_damping_ratio: number;
-	/** greatest force of anchors, axes and limits, >= 0; 0 (default): unbounded */
+	/** greatest force of anchors, axes and limits, > 0; CN_DEFAULT (default): unbounded */
 	force_max_N: number;
-	/** greatest torque of angles, >= 0; 0 (default): unbounded */
+	/** greatest torque of angles, > 0; CN_DEFAULT (default): unbounded */
 	torque_max_Nm: number;
-	/** a reaction above this in any substep is reported (cn_world_joint_events); 0 (default): never */
+	/** a reaction above this in any substep is reported (cn_world_joint_events), > 0; CN_DEFAULT (default):
+	never */
 	break_force_N: number;
 	/** the same for the torque */
 	break_torque_Nm: number;
@@ -699,7 +700,7 @@ export interface FixedDef {
 	base: JointBase;
 	/** angle b - angle a */
 	reference_angle_rad: number;
-	/** stiffness of the angle alone, 0 to 1e6; 0: the base's */
+	/** stiffness of the angle alone, > 0, to 1e6; CN_DEFAULT (default): the base's */
 	angular_hertz: number;
 	/** 0 to 1e6 */
 	angular_damping_ratio: number;
@@ -864,11 +865,11 @@ export interface AngleConstraintDef {
 	/** lower <= upper; equal: locked */
 	lower_rad: number;
 	upper_rad: number;
-	/** 0 (default): rigid; to 1e6 */
+	/** > 0, to 1e6; CN_DEFAULT (default): rigid */
 	hertz: number;
-	/** used when hertz > 0; 0 to 1e6 */
+	/** used with a hertz; 0 to 1e6 */
 	damping_ratio: number;
-	/** a reaction above this is reported (cn_world_joint_events); 0: never */
+	/** a reaction above this is reported (cn_world_joint_events), > 0; CN_DEFAULT (default): never */
 	break_torque_Nm: number;
 	user_data: bigint;
 }
@@ -892,11 +893,11 @@ export interface LineConstraintDef {
 	/** CN_CONSTRAINT_LIMIT: along the axis from origin; lower <= upper */
 	lower_m: number;
 	upper_m: number;
-	/** 0 (default): rigid; to 1e6 */
+	/** > 0, to 1e6; CN_DEFAULT (default): rigid */
 	hertz: number;
-	/** used when hertz > 0; 0 to 1e6 */
+	/** used with a hertz; 0 to 1e6 */
 	damping_ratio: number;
-	/** a reaction above this is reported (cn_world_joint_events); 0: never */
+	/** a reaction above this is reported (cn_world_joint_events), > 0; CN_DEFAULT (default): never */
 	break_force_N: number;
 	reserved: number;
 	user_data: bigint;
@@ -1094,8 +1095,8 @@ export interface AreaDef {
 	center_m: Vec2;
 	/** acceleration towards center_m; negative pushes; default 0 */
 	pull_mps2: number;
-	/** 0 (default): pull_mps2 at every distance; to 1e6 length units: at this distance, with its inverse square
-	outside, and falling to 0 at the centre: a homogeneous planet */
+	/** CN_DEFAULT (default): pull_mps2 at every distance; > 0, to 1e6 length units: at this distance, with its
+	inverse square outside, and falling to 0 at the centre: a homogeneous planet */
 	pull_distance_m: number;
 	/** of the velocity relative to flow_mps, added to the body's own; of the displaced mass in a medium with
 	density (which is the body's mass where it floats), else of the body's; 0 to 1e9, default 0 */
@@ -1163,10 +1164,10 @@ export class World {
 	setSolver(solver: number): void;
 	/** Reads the solver (CN_SOLVER_*). */
 	getSolver(): number;
-	/** Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, or CN_DEFAULT; 0 to 1e9, 0 for no limit.
-	*/
+	/** Sets accuracy_m and work_budget as in cn_world_def: metres >= 0 and 1 to 1e9, or CN_DEFAULT. */
 	setAccuracy(accuracy_m: number, work_budget: number): void;
-	/** Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget. */
+	/** Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget
+	(CN_DEFAULT: none). */
 	getAccuracy(): { accuracy_m: number; work_budget: number };
 	/** Reads how many workers a step can use: 1, or worker_count where the library supports threads. */
 	getWorkerCount(): number;

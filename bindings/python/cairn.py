@@ -327,7 +327,7 @@ class cn_world_def(_c.Structure):
         ("broadphase", _c.c_int32),  # CN_BROADPHASE_*; default CN_BROADPHASE_SWEEP
         ("substep_count", _c.c_int32),  # 1 to 64; default 4
         ("accuracy_m", _c.c_float),  # CN_SOLVER_AUTO aims at errors below this, >= 0; CN_DEFAULT (default): 0.005 x length unit
-        ("work_budget", _c.c_int32),  # limit of direct solving in a step, in factored blocks (joints, contacts and their fill), substeps included, about 10 ns each; 0 to 1e9; default 0: the limits of single islands only
+        ("work_budget", _c.c_int32),  # limit of direct solving in a step, in factored blocks (joints, contacts and their fill), substeps included, about 10 ns each; 1 to 1e9; CN_DEFAULT (default): the limits of single islands only
         ("restitution_threshold_mps", _c.c_float),  # slower impacts do not bounce, >= 0; CN_DEFAULT (default): 1 x length unit
         ("push_speed_max_mps", _c.c_float),  # greatest speed at which overlaps are pushed apart, > 0; CN_DEFAULT (default): 3 x length unit
         ("linear_speed_max_mps", _c.c_float),  # faster bodies are slowed to it, > 0; CN_DEFAULT (default): 400 x length unit
@@ -347,7 +347,7 @@ class cn_world_def(_c.Structure):
         ("enqueue", cn_enqueue_fn),  # NULL: the world's own threads; set both or none
         ("finish", cn_finish_fn),  # see cn_finish_fn
         ("task_user", _c.c_void_p),  # last argument of enqueue and finish
-        ("worker_count", _c.c_int32),  # threads that share a step, including the calling one; 0 to CN_WORKERS_MAX; default 0, the same as 1: no threads, no tasks
+        ("worker_count", _c.c_int32),  # threads that share a step, including the calling one; 1 to CN_WORKERS_MAX; default 1: no threads, no tasks
         ("hit_speed_mps", _c.c_float),  # blows at least this fast are reported by CN_EVENT_HIT, >= 0; CN_DEFAULT (default): 1 x length unit
         ("touching_capacity", _c.c_int32),  # Of a world in one block (memory); others ignore them. pairs that touch at once, >= 0; further ones do not collide: CN_WARNING_CONTACT_MEMORY; CN_DEFAULT (default): contact_capacity
         ("event_capacity", _c.c_int32),  # pairs that report events (event_mask of a shape, sensors), >= 0; further ones report none, which cn_counters.events_not_reported counts; CN_DEFAULT (default): contact_capacity
@@ -627,11 +627,11 @@ class cn_joint_base(_c.Structure):
         ("body_b", cn_body),  # 0: the world; one of the two must be dynamic
         ("anchor_a_m", cn_vec2),  # in body a's local frame, or in world coordinates
         ("anchor_b_m", cn_vec2),  # the same for body b
-        ("stiffness_hertz", _c.c_float),  # of the rigid parts, 0 to 1e6; 0 (default): as stiff as the substeps permit
-        ("stiffness_damping_ratio", _c.c_float),  # used when stiffness_hertz > 0; 0 to 1e6
-        ("force_max_N", _c.c_float),  # greatest force of anchors, axes and limits, >= 0; 0 (default): unbounded
-        ("torque_max_Nm", _c.c_float),  # greatest torque of angles, >= 0; 0 (default): unbounded
-        ("break_force_N", _c.c_float),  # a reaction above this in any substep is reported (cn_world_joint_events); 0 (default): never
+        ("stiffness_hertz", _c.c_float),  # of the rigid parts, > 0, to 1e6; CN_DEFAULT (default): as stiff as the substeps permit
+        ("stiffness_damping_ratio", _c.c_float),  # used with a stiffness_hertz; 0 to 1e6, default 0
+        ("force_max_N", _c.c_float),  # greatest force of anchors, axes and limits, > 0; CN_DEFAULT (default): unbounded
+        ("torque_max_Nm", _c.c_float),  # greatest torque of angles, > 0; CN_DEFAULT (default): unbounded
+        ("break_force_N", _c.c_float),  # a reaction above this in any substep is reported (cn_world_joint_events), > 0; CN_DEFAULT (default): never
         ("break_torque_Nm", _c.c_float),  # the same for the torque
         ("user_data", _c.c_uint64),
     ]
@@ -677,7 +677,7 @@ class cn_fixed_def(_c.Structure):
     _fields_ = [
         ("base", cn_joint_base),
         ("reference_angle_rad", _c.c_float),  # angle b - angle a
-        ("angular_hertz", _c.c_float),  # stiffness of the angle alone, 0 to 1e6; 0: the base's
+        ("angular_hertz", _c.c_float),  # stiffness of the angle alone, > 0, to 1e6; CN_DEFAULT (default): the base's
         ("angular_damping_ratio", _c.c_float),  # 0 to 1e6
         ("reserved", _c.c_float),
     ]
@@ -833,9 +833,9 @@ class cn_angle_constraint_def(_c.Structure):
         ("body", cn_body),  # must be dynamic
         ("lower_rad", _c.c_float),  # lower <= upper; equal: locked
         ("upper_rad", _c.c_float),
-        ("hertz", _c.c_float),  # 0 (default): rigid; to 1e6
-        ("damping_ratio", _c.c_float),  # used when hertz > 0; 0 to 1e6
-        ("break_torque_Nm", _c.c_float),  # a reaction above this is reported (cn_world_joint_events); 0: never
+        ("hertz", _c.c_float),  # > 0, to 1e6; CN_DEFAULT (default): rigid
+        ("damping_ratio", _c.c_float),  # used with a hertz; 0 to 1e6
+        ("break_torque_Nm", _c.c_float),  # a reaction above this is reported (cn_world_joint_events), > 0; CN_DEFAULT (default): never
         ("user_data", _c.c_uint64),
     ]
 
@@ -854,9 +854,9 @@ class cn_line_constraint_def(_c.Structure):
         ("tolerance_m", _c.c_float),  # >= 0: free play across the axis
         ("lower_m", _c.c_float),  # CN_CONSTRAINT_LIMIT: along the axis from origin; lower <= upper
         ("upper_m", _c.c_float),
-        ("hertz", _c.c_float),  # 0 (default): rigid; to 1e6
-        ("damping_ratio", _c.c_float),  # used when hertz > 0; 0 to 1e6
-        ("break_force_N", _c.c_float),  # a reaction above this is reported (cn_world_joint_events); 0: never
+        ("hertz", _c.c_float),  # > 0, to 1e6; CN_DEFAULT (default): rigid
+        ("damping_ratio", _c.c_float),  # used with a hertz; 0 to 1e6
+        ("break_force_N", _c.c_float),  # a reaction above this is reported (cn_world_joint_events), > 0; CN_DEFAULT (default): never
         ("reserved", _c.c_uint32),
         ("user_data", _c.c_uint64),
     ]
@@ -1037,7 +1037,7 @@ class cn_area_def(_c.Structure):
         ("gravity_mps2", cn_vec2),  # acceleration in the axes of the world, times the body's gravity_scale; default (0, 0)
         ("center_m", cn_vec2),  # of pull_mps2, in the frame of the sensor's body; default (0, 0)
         ("pull_mps2", _c.c_float),  # acceleration towards center_m; negative pushes; default 0
-        ("pull_distance_m", _c.c_float),  # 0 (default): pull_mps2 at every distance; to 1e6 length units: at this distance, with its inverse square outside, and falling to 0 at the centre: a homogeneous planet
+        ("pull_distance_m", _c.c_float),  # CN_DEFAULT (default): pull_mps2 at every distance; > 0, to 1e6 length units: at this distance, with its inverse square outside, and falling to 0 at the centre: a homogeneous planet
         ("linear_damping_per_s", _c.c_float),  # of the velocity relative to flow_mps, added to the body's own; of the displaced mass in a medium with density (which is the body's mass where it floats), else of the body's; 0 to 1e9, default 0
         ("angular_damping_per_s", _c.c_float),  # ... of the rotation; 0 to 1e9, default 0
         ("density_kgpm2", _c.c_float),  # of the medium: buoyancy of the parts of shapes in it, against all gravity that acts; 0 to 1e9, default 0
@@ -1228,12 +1228,13 @@ cn_world_get_solver = _function(
 )
 cn_world_set_accuracy = _function(
     "cn_world_set_accuracy",
-    """Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, or CN_DEFAULT; 0 to 1e9, 0 for no limit.""",
+    """Sets accuracy_m and work_budget as in cn_world_def: metres >= 0 and 1 to 1e9, or CN_DEFAULT.""",
     cn_result, _c.POINTER(cn_world), _c.c_float, _c.c_int32,
 )
 cn_world_get_accuracy = _function(
     "cn_world_get_accuracy",
-    """Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget.""",
+    """Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget
+    (CN_DEFAULT: none).""",
     cn_result, _c.POINTER(cn_world), _c.POINTER(_c.c_float), _c.POINTER(_c.c_int32),
 )
 cn_world_get_worker_count = _function(
@@ -3165,12 +3166,12 @@ class World:
         return _solver.value
 
     def set_accuracy(self, accuracy_m, work_budget):
-        """Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, or CN_DEFAULT; 0 to 1e9, 0 for no
-        limit."""
+        """Sets accuracy_m and work_budget as in cn_world_def: metres >= 0 and 1 to 1e9, or CN_DEFAULT."""
         _check(cn_world_set_accuracy(self.pointer, accuracy_m, work_budget), self.pointer)
 
     def get_accuracy(self):
-        """Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget."""
+        """Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget
+        (CN_DEFAULT: none)."""
         _accuracy_m = _c.c_float()
         _work_budget = _c.c_int32()
         _check(cn_world_get_accuracy(self.pointer, _accuracy_m, _work_budget))

@@ -26,8 +26,10 @@ pub const CN_WORKERS_MAX = 64;
 /// Most bodies, shapes or joints alive at once in one world (20 bits of index).
 pub const CN_MAX_HANDLES = 1048575;
 
-// In a definition: the default of a field whose comment names CN_DEFAULT.
-/// In a definition: the default of a field whose comment names CN_DEFAULT.
+// In a definition: the default of a field whose comment names CN_DEFAULT; other fields refuse it where it is
+// out of their range.
+/// In a definition: the default of a field whose comment names CN_DEFAULT; other fields refuse it where it is
+/// out of their range.
 pub const CN_DEFAULT = -1;
 
 // Result codes.
@@ -518,7 +520,7 @@ pub const cn_world_def = extern struct {
     /// CN_SOLVER_AUTO aims at errors below this, >= 0; CN_DEFAULT (default): 0.005 x length unit
     accuracy_m: f32,
     /// limit of direct solving in a step, in factored blocks (joints, contacts and their fill), substeps
-    /// included, about 10 ns each; 0 to 1e9; default 0: the limits of single islands only
+    /// included, about 10 ns each; 1 to 1e9; CN_DEFAULT (default): the limits of single islands only
     work_budget: i32,
     /// slower impacts do not bounce, >= 0; CN_DEFAULT (default): 1 x length unit
     restitution_threshold_mps: f32,
@@ -557,8 +559,8 @@ pub const cn_world_def = extern struct {
     finish: ?*const cn_finish_fn,
     /// last argument of enqueue and finish
     task_user: ?*anyopaque,
-    /// threads that share a step, including the calling one; 0 to CN_WORKERS_MAX; default 0, the same as 1:
-    /// no threads, no tasks
+    /// threads that share a step, including the calling one; 1 to CN_WORKERS_MAX; default 1: no threads, no
+    /// tasks
     worker_count: i32,
     /// blows at least this fast are reported by CN_EVENT_HIT, >= 0; CN_DEFAULT (default): 1 x length unit
     hit_speed_mps: f32,
@@ -983,15 +985,16 @@ pub const cn_joint_base = extern struct {
     anchor_a_m: cn_vec2,
     /// the same for body b
     anchor_b_m: cn_vec2,
-    /// of the rigid parts, 0 to 1e6; 0 (default): as stiff as the substeps permit
+    /// of the rigid parts, > 0, to 1e6; CN_DEFAULT (default): as stiff as the substeps permit
     stiffness_hertz: f32,
-    /// used when stiffness_hertz > 0; 0 to 1e6
+    /// used with a stiffness_hertz; 0 to 1e6, default 0
     stiffness_damping_ratio: f32,
-    /// greatest force of anchors, axes and limits, >= 0; 0 (default): unbounded
+    /// greatest force of anchors, axes and limits, > 0; CN_DEFAULT (default): unbounded
     force_max_N: f32,
-    /// greatest torque of angles, >= 0; 0 (default): unbounded
+    /// greatest torque of angles, > 0; CN_DEFAULT (default): unbounded
     torque_max_Nm: f32,
-    /// a reaction above this in any substep is reported (cn_world_joint_events); 0 (default): never
+    /// a reaction above this in any substep is reported (cn_world_joint_events), > 0; CN_DEFAULT (default):
+    /// never
     break_force_N: f32,
     /// the same for the torque
     break_torque_Nm: f32,
@@ -1055,7 +1058,7 @@ pub const cn_fixed_def = extern struct {
     base: cn_joint_base,
     /// angle b - angle a
     reference_angle_rad: f32,
-    /// stiffness of the angle alone, 0 to 1e6; 0: the base's
+    /// stiffness of the angle alone, > 0, to 1e6; CN_DEFAULT (default): the base's
     angular_hertz: f32,
     /// 0 to 1e6
     angular_damping_ratio: f32,
@@ -1268,11 +1271,11 @@ pub const cn_angle_constraint_def = extern struct {
     /// lower <= upper; equal: locked
     lower_rad: f32,
     upper_rad: f32,
-    /// 0 (default): rigid; to 1e6
+    /// > 0, to 1e6; CN_DEFAULT (default): rigid
     hertz: f32,
-    /// used when hertz > 0; 0 to 1e6
+    /// used with a hertz; 0 to 1e6
     damping_ratio: f32,
-    /// a reaction above this is reported (cn_world_joint_events); 0: never
+    /// a reaction above this is reported (cn_world_joint_events), > 0; CN_DEFAULT (default): never
     break_torque_Nm: f32,
     user_data: u64,
 
@@ -1300,11 +1303,11 @@ pub const cn_line_constraint_def = extern struct {
     /// CN_CONSTRAINT_LIMIT: along the axis from origin; lower <= upper
     lower_m: f32,
     upper_m: f32,
-    /// 0 (default): rigid; to 1e6
+    /// > 0, to 1e6; CN_DEFAULT (default): rigid
     hertz: f32,
-    /// used when hertz > 0; 0 to 1e6
+    /// used with a hertz; 0 to 1e6
     damping_ratio: f32,
-    /// a reaction above this is reported (cn_world_joint_events); 0: never
+    /// a reaction above this is reported (cn_world_joint_events), > 0; CN_DEFAULT (default): never
     break_force_N: f32,
     reserved: u32,
     user_data: u64,
@@ -1555,8 +1558,8 @@ pub const cn_area_def = extern struct {
     center_m: cn_vec2,
     /// acceleration towards center_m; negative pushes; default 0
     pull_mps2: f32,
-    /// 0 (default): pull_mps2 at every distance; to 1e6 length units: at this distance, with its inverse
-    /// square outside, and falling to 0 at the centre: a homogeneous planet
+    /// CN_DEFAULT (default): pull_mps2 at every distance; > 0, to 1e6 length units: at this distance, with
+    /// its inverse square outside, and falling to 0 at the centre: a homogeneous planet
     pull_distance_m: f32,
     /// of the velocity relative to flow_mps, added to the body's own; of the displaced mass in a medium with
     /// density (which is the body's mass where it floats), else of the body's; 0 to 1e9, default 0
@@ -1671,9 +1674,10 @@ pub extern fn cn_world_get_substep_count(world: *const cn_world, out_count: *i32
 pub extern fn cn_world_set_solver(world: *cn_world, solver: i32) cn_result;
 /// Reads the solver (CN_SOLVER_*).
 pub extern fn cn_world_get_solver(world: *const cn_world, out_solver: *i32) cn_result;
-/// Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, or CN_DEFAULT; 0 to 1e9, 0 for no limit.
+/// Sets accuracy_m and work_budget as in cn_world_def: metres >= 0 and 1 to 1e9, or CN_DEFAULT.
 pub extern fn cn_world_set_accuracy(world: *cn_world, accuracy_m: f32, work_budget: i32) cn_result;
-/// Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget.
+/// Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget
+/// (CN_DEFAULT: none).
 pub extern fn cn_world_get_accuracy(world: *const cn_world, out_accuracy_m: *f32, out_work_budget: *i32) cn_result;
 /// Reads how many workers a step can use: 1, or worker_count where the library supports threads.
 pub extern fn cn_world_get_worker_count(world: *const cn_world, out_count: *i32) cn_result;

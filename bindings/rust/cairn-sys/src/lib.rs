@@ -370,7 +370,7 @@ pub struct cn_world_def {
     /// CN_SOLVER_AUTO aims at errors below this, >= 0; CN_DEFAULT (default): 0.005 x length unit
     pub accuracy_m: f32,
     /// limit of direct solving in a step, in factored blocks (joints, contacts and their fill), substeps
-    /// included, about 10 ns each; 0 to 1e9; default 0: the limits of single islands only
+    /// included, about 10 ns each; 1 to 1e9; CN_DEFAULT (default): the limits of single islands only
     pub work_budget: i32,
     /// slower impacts do not bounce, >= 0; CN_DEFAULT (default): 1 x length unit
     pub restitution_threshold_mps: f32,
@@ -409,8 +409,8 @@ pub struct cn_world_def {
     pub finish: Option<cn_finish_fn>,
     /// last argument of enqueue and finish
     pub task_user: *mut c_void,
-    /// threads that share a step, including the calling one; 0 to CN_WORKERS_MAX; default 0, the same as 1:
-    /// no threads, no tasks
+    /// threads that share a step, including the calling one; 1 to CN_WORKERS_MAX; default 1: no threads, no
+    /// tasks
     pub worker_count: i32,
     /// blows at least this fast are reported by CN_EVENT_HIT, >= 0; CN_DEFAULT (default): 1 x length unit
     pub hit_speed_mps: f32,
@@ -843,15 +843,16 @@ pub struct cn_joint_base {
     pub anchor_a_m: cn_vec2,
     /// the same for body b
     pub anchor_b_m: cn_vec2,
-    /// of the rigid parts, 0 to 1e6; 0 (default): as stiff as the substeps permit
+    /// of the rigid parts, > 0, to 1e6; CN_DEFAULT (default): as stiff as the substeps permit
     pub stiffness_hertz: f32,
-    /// used when stiffness_hertz > 0; 0 to 1e6
+    /// used with a stiffness_hertz; 0 to 1e6, default 0
     pub stiffness_damping_ratio: f32,
-    /// greatest force of anchors, axes and limits, >= 0; 0 (default): unbounded
+    /// greatest force of anchors, axes and limits, > 0; CN_DEFAULT (default): unbounded
     pub force_max_N: f32,
-    /// greatest torque of angles, >= 0; 0 (default): unbounded
+    /// greatest torque of angles, > 0; CN_DEFAULT (default): unbounded
     pub torque_max_Nm: f32,
-    /// a reaction above this in any substep is reported (cn_world_joint_events); 0 (default): never
+    /// a reaction above this in any substep is reported (cn_world_joint_events), > 0; CN_DEFAULT (default):
+    /// never
     pub break_force_N: f32,
     /// the same for the torque
     pub break_torque_Nm: f32,
@@ -926,7 +927,7 @@ pub struct cn_fixed_def {
     pub base: cn_joint_base,
     /// angle b - angle a
     pub reference_angle_rad: f32,
-    /// stiffness of the angle alone, 0 to 1e6; 0: the base's
+    /// stiffness of the angle alone, > 0, to 1e6; CN_DEFAULT (default): the base's
     pub angular_hertz: f32,
     /// 0 to 1e6
     pub angular_damping_ratio: f32,
@@ -1204,11 +1205,11 @@ pub struct cn_angle_constraint_def {
     /// lower <= upper; equal: locked
     pub lower_rad: f32,
     pub upper_rad: f32,
-    /// 0 (default): rigid; to 1e6
+    /// > 0, to 1e6; CN_DEFAULT (default): rigid
     pub hertz: f32,
-    /// used when hertz > 0; 0 to 1e6
+    /// used with a hertz; 0 to 1e6
     pub damping_ratio: f32,
-    /// a reaction above this is reported (cn_world_joint_events); 0: never
+    /// a reaction above this is reported (cn_world_joint_events), > 0; CN_DEFAULT (default): never
     pub break_torque_Nm: f32,
     pub user_data: u64,
 }
@@ -1242,11 +1243,11 @@ pub struct cn_line_constraint_def {
     /// CN_CONSTRAINT_LIMIT: along the axis from origin; lower <= upper
     pub lower_m: f32,
     pub upper_m: f32,
-    /// 0 (default): rigid; to 1e6
+    /// > 0, to 1e6; CN_DEFAULT (default): rigid
     pub hertz: f32,
-    /// used when hertz > 0; 0 to 1e6
+    /// used with a hertz; 0 to 1e6
     pub damping_ratio: f32,
-    /// a reaction above this is reported (cn_world_joint_events); 0: never
+    /// a reaction above this is reported (cn_world_joint_events), > 0; CN_DEFAULT (default): never
     pub break_force_N: f32,
     pub reserved: u32,
     pub user_data: u64,
@@ -1506,8 +1507,8 @@ pub struct cn_area_def {
     pub center_m: cn_vec2,
     /// acceleration towards center_m; negative pushes; default 0
     pub pull_mps2: f32,
-    /// 0 (default): pull_mps2 at every distance; to 1e6 length units: at this distance, with its inverse
-    /// square outside, and falling to 0 at the centre: a homogeneous planet
+    /// CN_DEFAULT (default): pull_mps2 at every distance; > 0, to 1e6 length units: at this distance, with
+    /// its inverse square outside, and falling to 0 at the centre: a homogeneous planet
     pub pull_distance_m: f32,
     /// of the velocity relative to flow_mps, added to the body's own; of the displaced mass in a medium with
     /// density (which is the body's mass where it floats), else of the body's; 0 to 1e9, default 0
@@ -1640,10 +1641,10 @@ extern "C" {
     pub fn cn_world_set_solver(world: *mut cn_world, solver: i32) -> cn_result;
     /// Reads the solver (CN_SOLVER_*).
     pub fn cn_world_get_solver(world: *const cn_world, out_solver: *mut i32) -> cn_result;
-    /// Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, or CN_DEFAULT; 0 to 1e9, 0 for no
-    /// limit.
+    /// Sets accuracy_m and work_budget as in cn_world_def: metres >= 0 and 1 to 1e9, or CN_DEFAULT.
     pub fn cn_world_set_accuracy(world: *mut cn_world, accuracy_m: f32, work_budget: i32) -> cn_result;
-    /// Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget.
+    /// Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget
+    /// (CN_DEFAULT: none).
     pub fn cn_world_get_accuracy(world: *const cn_world, out_accuracy_m: *mut f32, out_work_budget: *mut i32) -> cn_result;
     /// Reads how many workers a step can use: 1, or worker_count where the library supports threads.
     pub fn cn_world_get_worker_count(world: *const cn_world, out_count: *mut i32) -> cn_result;
