@@ -5,7 +5,7 @@
 #   make hello      the program of the README          make platformer a character in a level: build/platformer.png
 #   make test-all   tests under sanitizers and other   make check-deps layers, circles, longest files
 #                   compilers and options              make check-links links and make targets in the documentation
-#   make test-times times of parts, printed
+#   make test-times times of parts, printed             make readme     runs the commands of every README
 #                                                      make install    DESTDIR and PREFIX; make clean
 #   make bindings   writes bindings/ from the header   make test-bindings  in every language that is installed
 #   make amalgamation  the library as two files, build/amalgamation/cairn.c and cairn.h
@@ -372,6 +372,11 @@ check-docs: $(BUILD)/libcairn.a
 
 check-deps: $(LIB_OBJ)
 	@sh test/check_deps.sh $(BUILD)
+
+# The commands of every README as a new user runs them: test/readme.py. ALL=1: also those that take minutes; PAGE='go rust': those pages.
+.PHONY: readme
+readme:
+	@python3 test/readme.py $(BUILD) $(if $(ALL),--all) $(PAGE)
 
 check-links:
 	@sh test/check_links.sh
