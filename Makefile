@@ -169,8 +169,10 @@ examples: $(SMALL)
 replay: $(BUILD)/bin/replay
 	@$(BUILD)/bin/replay -demo $(BUILD)/demo.rec && $(BUILD)/bin/replay $(BUILD)/demo.rec -o $(BUILD)/replay.png
 
-demo: $(BUILD)/bin/demo
+# PEERS=1: other engines run the scenes in which they are shown anew (.ci/peers).
+demo: $(BUILD)/bin/demo $(BUILD)/bin/stability
 	@mkdir -p $(BUILD)/demo
+	@CC='$(CC)' sh examples/demo/films.sh $(BUILD) $(BUILD)/demo/films $(if $(PEERS),--peers)
 	@$(BUILD)/bin/demo $(BUILD)/demo $(SCENE)
 
 # Scenes to play with. In a window by SDL 2; in a browser by WebAssembly, from the same source: examples/testbed/README.md.
