@@ -137,7 +137,7 @@ if command -v node >/dev/null 2>&1 && command -v clang-19 >/dev/null 2>&1 && [ -
 	if command -v tsc >/dev/null 2>&1; then
 		check "javascript types" tsc --strict --noEmit --target es2022 --lib es2022,dom --module nodenext --moduleResolution nodenext "$out/javascript/types.ts"
 	else
-		skip 1 'tsc (npm install --global typescript)'
+		skip 1 'tsc (node-typescript)'
 	fi
 else
 	skip 3 'node, clang-19 or wasi-libc'
@@ -227,8 +227,16 @@ fi
 
 if command -v x86_64-w64-mingw32-gcc >/dev/null 2>&1; then
 	check "Windows DLL" sh -c "$tree/dll.sh '$absolute/bindings/windows'"
+	wine=$(command -v wine64 || echo /usr/lib/wine/wine64) # Debian's package puts it outside of PATH
+	if command -v "$wine" >/dev/null 2>&1; then
+		# Its lines end as Windows' do.
+		same "Windows hinges through the DLL" "$hinges" sh -c "WINEPREFIX='$absolute/bindings/wine' WINEDEBUG=-all WINEDLLOVERRIDES='mscoree,mshtml=' \
+			'$wine' '$absolute/bindings/windows/hinges.exe' 2>/dev/null | tr -d '\\r'"
+	else
+		skip 1 wine64
+	fi
 else
-	skip 1 'x86_64-w64-mingw32-gcc (gcc-mingw-w64-x86-64)'
+	skip 2 'x86_64-w64-mingw32-gcc (gcc-mingw-w64-x86-64-win32)'
 fi
 
 echo "$passed passed, $failed failed, $skipped skipped"
