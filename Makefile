@@ -165,6 +165,12 @@ embedded:
 examples: $(SMALL)
 	@BUILD='$(BUILD)/bin' sh test/examples/small.sh
 
+# The shared library that records: examples/docs/replay.md.
+.PHONY: record-library
+record-library: $(BUILD)/record/libcairn.so
+$(BUILD)/record/libcairn.so: $(BUILD)/$(SHARED_LINK) bindings/record/library.sh bindings/record/environment.c $(wildcard bindings/record/*.h examples/record/*)
+	@CC='$(CC)' sh bindings/record/library.sh $(BUILD)
+
 # Records a small game, plays the recording and draws it.
 replay: $(BUILD)/bin/replay
 	@$(BUILD)/bin/replay -demo $(BUILD)/demo.rec && $(BUILD)/bin/replay $(BUILD)/demo.rec -o $(BUILD)/replay.png
@@ -352,7 +358,7 @@ bindings:
 amalgamation:
 	@python3 bindings/amalgamate.py $(BUILD)/amalgamation
 
-test-bindings: $(BUILD)/$(SHARED_LINK)
+test-bindings: $(BUILD)/$(SHARED_LINK) $(BUILD)/bin/replay
 	@CC='$(CC)' sh bindings/test/run.sh $(BUILD)
 
 # The documentation as a site, build/docs/index.html: mkdocs in a virtual environment of its own. A broken link is an error.

@@ -192,6 +192,24 @@ else
 	skip 7 'mono (mcs and mono)'
 fi
 
+# Programs of any language are recorded by another library in the place of libcairn; a replay finds no difference.
+recorded() { # language command...
+	name=$1
+	shift
+	rm -f "$out"/game.rec*
+	same "$name with the recorder" "$hinges" env CAIRN_RECORD="$out/game.rec" "$@"
+	check "$name's recording replays" sh -c "grep -lq CairnRec '$out'/game.rec* && for file in '$out'/game.rec*; do '$build/bin/replay' \$file || exit 1; done"
+}
+recorder=$absolute/record
+if command -v objcopy >/dev/null 2>&1 && [ "$(uname -s)" = Linux ]; then
+	check "recording library builds" env CC="$compiler" sh bindings/record/library.sh "$build"
+	if command -v python3 >/dev/null 2>&1; then recorded Python env CAIRN_LIBRARY="$recorder/libcairn.so" python3 bindings/test/layer.py; else skip 2 python3; fi
+	if command -v luajit >/dev/null 2>&1; then recorded LuaJIT env CAIRN_LIBRARY="$recorder/libcairn.so" luajit bindings/test/hinges.lua; else skip 2 luajit; fi
+	if command -v mono >/dev/null 2>&1; then recorded 'C#' env LD_LIBRARY_PATH="$recorder" mono "$out/hinges.exe"; else skip 2 mono; fi
+else
+	skip 7 'objcopy (binutils)'
+fi
+
 zig=
 if command -v zig >/dev/null 2>&1; then zig=zig; elif python3 -m ziglang version >/dev/null 2>&1; then zig='python3 -m ziglang'; fi
 if [ -n "$zig" ]; then
