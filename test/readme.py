@@ -43,6 +43,7 @@ others = [
     ("make bench-diff", KNOWN, "make bench-diff BASE=HEAD SCENE=falling_hinges QUICK=1 ROUNDS=1"),
     ("make bench-scale", KNOWN, "make bench-scale KIND=tree"),
     ("make feature-cost", KNOWN, "make feature-cost FEATURE=sensor"),
+    ("sh bindings/csharp/natives.sh", ":", None),
     ("cc -O3", "cc -O0 -DCN_NO_SIMD {rest}", None),  # quick ones: the same bits
     ("cmake -S", "cmake -D CMAKE_BUILD_TYPE=Debug {rest}", None),
     ("luarocks", "luarocks {rest} CFLAGS='-O0 -fPIC -DCN_NO_SIMD'", None),
