@@ -40,7 +40,7 @@ others = [
     ("make soak", KNOWN, KNOWN),
     ("make chart", KNOWN, KNOWN),
     ("make bench-peers", KNOWN, KNOWN),
-    ("make bench-diff", KNOWN, "make bench-diff BASE=HEAD SCENE=falling_hinges QUICK=1 ROUNDS=1"),
+    ("make bench-diff", KNOWN, "make bench-diff BASE=HEAD SCENE=small_10 QUICK=1 ROUNDS=1"),
     ("make bench-scale", KNOWN, "make bench-scale KIND=tree"),
     ("make feature-cost", KNOWN, "make feature-cost FEATURE=sensor"),
     ("sh bindings/csharp/natives.sh", ":", None),
