@@ -5,7 +5,7 @@
 #   make hello      the program of the README          make platformer a character in a level: build/platformer.png
 #   make test-all   tests under sanitizers and other   make check-deps layers, circles, longest files
 #                   compilers and options              make check-links links and make targets in the documentation
-#   make test-times times of parts, printed
+#   make test-times times of parts, printed             make readme     runs the commands of every README
 #                                                      make install    DESTDIR and PREFIX; make clean
 #   make bindings   writes bindings/ from the header   make test-bindings  in every language that is installed
 #   make amalgamation  the library as two files, build/amalgamation/cairn.c and cairn.h
@@ -165,12 +165,20 @@ embedded:
 examples: $(SMALL)
 	@BUILD='$(BUILD)/bin' sh test/examples/small.sh
 
+# The shared library that records: examples/docs/replay.md.
+.PHONY: record-library
+record-library: $(BUILD)/record/libcairn.so
+$(BUILD)/record/libcairn.so: $(BUILD)/$(SHARED_LINK) bindings/record/library.sh bindings/record/environment.c $(wildcard bindings/record/*.h examples/record/*)
+	@CC='$(CC)' sh bindings/record/library.sh $(BUILD)
+
 # Records a small game, plays the recording and draws it.
 replay: $(BUILD)/bin/replay
 	@$(BUILD)/bin/replay -demo $(BUILD)/demo.rec && $(BUILD)/bin/replay $(BUILD)/demo.rec -o $(BUILD)/replay.png
 
-demo: $(BUILD)/bin/demo
+# PEERS=1: other engines run the scenes in which they are shown anew (.ci/peers).
+demo: $(BUILD)/bin/demo $(BUILD)/bin/stability
 	@mkdir -p $(BUILD)/demo
+	@CC='$(CC)' sh examples/demo/films.sh $(BUILD) $(BUILD)/demo/films $(if $(PEERS),--peers)
 	@$(BUILD)/bin/demo $(BUILD)/demo $(SCENE)
 
 # Scenes to play with. In a window by SDL 2; in a browser by WebAssembly, from the same source: examples/testbed/README.md.
@@ -350,7 +358,7 @@ bindings:
 amalgamation:
 	@python3 bindings/amalgamate.py $(BUILD)/amalgamation
 
-test-bindings: $(BUILD)/$(SHARED_LINK)
+test-bindings: $(BUILD)/$(SHARED_LINK) $(BUILD)/bin/replay
 	@CC='$(CC)' sh bindings/test/run.sh $(BUILD)
 
 # The documentation as a site, build/docs/index.html: mkdocs in a virtual environment of its own. A broken link is an error.
@@ -372,6 +380,11 @@ check-docs: $(BUILD)/libcairn.a
 
 check-deps: $(LIB_OBJ)
 	@sh test/check_deps.sh $(BUILD)
+
+# The commands of every README as a new user runs them: test/readme.py. ALL=1: also those that take minutes; PAGE='go rust': those pages.
+.PHONY: readme
+readme:
+	@python3 test/readme.py $(BUILD) $(if $(ALL),--all) $(PAGE)
 
 check-links:
 	@sh test/check_links.sh

@@ -58,8 +58,9 @@ def read_api(path):
 
 
 def undocumented(api):
-    """Names of functions, structs and callbacks without a comment of their own."""
-    return [entry["name"] for kind in ("functions", "structs", "callbacks") for entry in api[kind] if not entry["doc"]]
+    """Names of functions, structs, callbacks and fields without a comment of their own."""
+    names = [entry["name"] for kind in ("functions", "structs", "callbacks") for entry in api[kind] if not entry["doc"]]
+    return names + ["%s.%s" % (entry["name"], field["name"]) for entry in api["structs"] for field in entry["fields"] if not field["doc"]]
 
 
 def write_all(api, folder):
@@ -104,7 +105,7 @@ def main():
         if options.probe:
             run_probe(api, os.path.dirname(options.header))
         elif undocumented(api):
-            sys.exit("no comment right above: " + ", ".join(undocumented(api)))
+            sys.exit("no comment right above or behind: " + ", ".join(undocumented(api)))
         elif options.check:
             stale = check_all(api, options.output)
             if stale:

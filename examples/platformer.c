@@ -104,11 +104,11 @@ static int picture(const char *path, const cn_world *world, const cn_vec2 *trail
 	if (!canvas_open(&c, 1140, 260))
 		return 0;
 	const draw_view view = draw_fit(&c, &box);
-	canvas_clear(&c, draw_colors[DRAW_BACKGROUND]);
-	draw_world(&c, &view, world, DRAW_SHOW_CONTACTS | DRAW_SHOW_JOINTS);
+	draw_world(&c, &view, world, DRAW_SHOW_BODIES);
 	for (int k = 0; k < count; k += 6) {
-		canvas_point at = { (trail[k].x - view.lower_m.x) * view.scale, 260.0f - (trail[k].y - view.lower_m.y) * view.scale };
-		canvas_disc(&c, at, 2.0f, draw_colors[DRAW_CONTACT], 0, 0.0f);
+		const float x = (trail[k].x - view.lower_m.x) * view.scale, y = 260.0f - (trail[k].y - view.lower_m.y) * view.scale;
+		const float half = k % 36 == 0 ? 0.5f * view.scale : 0.0f, radius = k % 36 == 0 ? 0.3f * view.scale : 1.5f;
+		canvas_capsule(&c, (canvas_point){ x, y - half }, (canvas_point){ x, y + half }, radius, draw_colors[DRAW_BODY], draw_colors[DRAW_OUTLINE], 1.0f);
 	}
 	palette_make(&colors, draw_colors, DRAW_COLORS);
 	palette_apply(&colors, &c, pixels);

@@ -113,7 +113,7 @@ static int draw(const cn_world *world, const char *path)
 		return 1;
 	view = view_of(&c, world);
 	canvas_clear(&c, draw_colors[DRAW_BACKGROUND]);
-	(void)draw_world(&c, &view, world, DRAW_SHOW_CONTACTS | DRAW_SHOW_JOINTS);
+	(void)draw_world(&c, &view, world, DRAW_SHOW_BODIES | DRAW_SHOW_JOINTS);
 	palette_make(&colors, draw_colors, DRAW_COLORS);
 	palette_apply(&colors, &c, pixels);
 	canvas_close(&c);

@@ -36,11 +36,10 @@
  *             to the world and are valid until the next cn_world_step or cn_world_destroy.
  *  Structs    initialise definitions with their *_init function; their first field, struct_size,
  *             tells the library which version of the struct it was given. Fields are only appended.
- *  Defaults   the *_init function stores the default of every field. Where a default depends on the world
- *             (its length unit, its own setting), the field holds CN_DEFAULT, and only exactly this value
- *             stands for the default. Zero always means zero; it is refused where it is out of range. In
- *             worlds, bodies and shapes no field takes zero for the default; in joints the comment of a
- *             field says where 0 switches a part off.
+ *  Defaults   the *_init function stores the default of every field of a definition. Where the default is no
+ *             number in the field's range (it depends on the world, or means "no limit", "rigid", "never"),
+ *             the field holds CN_DEFAULT, and only exactly this value stands for the default. Zero always
+ *             means zero; it is refused where it is out of range. No field takes zero for the default.
  *  Threads    one world may be used by one thread at a time; different worlds share nothing, so any
  *             number may be used at once. Functions that take a const cn_world may be called from
  *             several threads at once while no other function runs on that world. Inside cn_world_step
@@ -96,7 +95,7 @@ extern "C" {
 
 /* ------------------------------------------------------------------ basic types */
 
-/* In a definition: the default of a field whose comment names CN_DEFAULT. */
+/* In a definition: the default of a field whose comment names CN_DEFAULT; other fields refuse it where it is out of their range. */
 enum { CN_DEFAULT = -1 };
 
 typedef int32_t cn_result; /* CN_OK or a CN_ERROR_ */
@@ -130,15 +129,15 @@ typedef struct cn_world cn_world;  /* a world with everything in it */
 
 /* A point, vector or pair of numbers. */
 typedef struct cn_vec2 {
-	float x;
-	float y;
+	float x; /* to the right */
+	float y; /* upwards */
 } cn_vec2;
 
 /* Position of a body's origin and its rotation as (cosine, sine). 16 bytes: an array of poses can be uploaded to a GPU directly. */
 typedef struct cn_pose {
-	cn_vec2 position_m;
-	float cosine;
-	float sine;
+	cn_vec2 position_m; /* of the body's origin */
+	float cosine;       /* of the angle */
+	float sine;         /* of the angle */
 } cn_pose;
 
 /* Velocity of a body. */
@@ -149,13 +148,13 @@ typedef struct cn_velocity {
 
 /* Axis-aligned bounding box, lower_m <= upper_m. */
 typedef struct cn_aabb {
-	cn_vec2 lower_m;
-	cn_vec2 upper_m;
+	cn_vec2 lower_m; /* left and bottom */
+	cn_vec2 upper_m; /* right and top */
 } cn_aabb;
 
 /* Mass, inertia and centre of mass. */
 typedef struct cn_mass_data {
-	float mass_kg;
+	float mass_kg;      /* of all shapes, or as set */
 	float inertia_kgm2; /* about the centre of mass */
 	cn_vec2 center_m;   /* in the body's local frame */
 } cn_mass_data;
@@ -284,7 +283,7 @@ enum {
 
 /* Definition of a world. */
 typedef struct cn_world_def {
-	uint32_t struct_size;
+	uint32_t struct_size;             /* set by the init function */
 	uint32_t flags;                   /* CN_WORLD_*; default SLEEP | WARM_START | CONTINUOUS */
 	cn_vec2 gravity_mps2;             /* default (0, -10) */
 	float length_unit_m;              /* a typical object's size, (0, 1e6]; slop, margins and speed limits scale with it; default 1 */
@@ -293,7 +292,8 @@ typedef struct cn_world_def {
 	int32_t substep_count;            /* 1 to 64; default 4 */
 	float accuracy_m;                 /* CN_SOLVER_AUTO aims at errors below this, >= 0; CN_DEFAULT (default): 0.005 x length unit */
 	int32_t work_budget;              /* limit of direct solving in a step, in factored blocks (joints, contacts and their fill),
-	                                     substeps included, about 10 ns each; 0 to 1e9; default 0: the limits of single islands only */
+	                                     substeps included, about 10 ns each; 1 to 1e9; CN_DEFAULT (default): the limits of single
+	                                     islands only */
 	float restitution_threshold_mps;  /* slower impacts do not bounce, >= 0; CN_DEFAULT (default): 1 x length unit */
 	float push_speed_max_mps;         /* greatest speed at which overlaps are pushed apart, > 0; CN_DEFAULT (default): 3 x length unit */
 	float linear_speed_max_mps;       /* faster bodies are slowed to it, > 0; CN_DEFAULT (default): 400 x length unit */
@@ -304,7 +304,7 @@ typedef struct cn_world_def {
 	int32_t shape_capacity;           /* counts every edge of a chain */
 	int32_t contact_capacity;         /* pairs whose fat AABBs overlap */
 	int32_t joint_capacity;           /* counts constraints too */
-	uint64_t user_data;
+	uint64_t user_data;               /* a number for the user; default 0 */
 	uint64_t memory_bytes;            /* size of memory; 0: use alloc and free */
 	void *memory;                     /* NULL, or one block aligned to 64 bytes that holds the whole world */
 	cn_alloc_fn *alloc;               /* NULL: malloc; set both or none */
@@ -313,8 +313,8 @@ typedef struct cn_world_def {
 	cn_enqueue_fn *enqueue;           /* NULL: the world's own threads; set both or none */
 	cn_finish_fn *finish;             /* see cn_finish_fn */
 	void *task_user;                  /* last argument of enqueue and finish */
-	int32_t worker_count;             /* threads that share a step, including the calling one; 0 to CN_WORKERS_MAX;
-	                                     default 0, the same as 1: no threads, no tasks */
+	int32_t worker_count;             /* threads that share a step, including the calling one; 1 to CN_WORKERS_MAX;
+	                                     default 1: no threads, no tasks */
 	float hit_speed_mps;              /* blows at least this fast are reported by CN_EVENT_HIT, >= 0; CN_DEFAULT (default): 1 x length unit */
 	/* Of a world in one block (memory); others ignore them. */
 	int32_t touching_capacity;        /* pairs that touch at once, >= 0; further ones do not collide: CN_WARNING_CONTACT_MEMORY;
@@ -360,9 +360,9 @@ CN_API cn_result cn_world_get_substep_count(const cn_world *world, int32_t *out_
 CN_API cn_result cn_world_set_solver(cn_world *world, int32_t solver);
 /* Reads the solver (CN_SOLVER_*). */
 CN_API cn_result cn_world_get_solver(const cn_world *world, int32_t *out_solver);
-/* Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, or CN_DEFAULT; 0 to 1e9, 0 for no limit. */
+/* Sets accuracy_m and work_budget as in cn_world_def: metres >= 0 and 1 to 1e9, or CN_DEFAULT. */
 CN_API cn_result cn_world_set_accuracy(cn_world *world, float accuracy_m, int32_t work_budget);
-/* Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget. */
+/* Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget (CN_DEFAULT: none). */
 CN_API cn_result cn_world_get_accuracy(const cn_world *world, float *out_accuracy_m, int32_t *out_work_budget);
 /* Reads how many workers a step can use: 1, or worker_count where the library supports threads. */
 CN_API cn_result cn_world_get_worker_count(const cn_world *world, int32_t *out_count);
@@ -598,7 +598,7 @@ enum {
 
 /* Definition of a body. */
 typedef struct cn_body_def {
-	uint32_t struct_size;
+	uint32_t struct_size;          /* set by the init function */
 	int32_t type;                  /* CN_BODY_STATIC, _KINEMATIC, _DYNAMIC; default dynamic */
 	cn_vec2 position_m;            /* of the origin; |x|, |y| <= 1e6 x length unit */
 	float angle_rad;               /* |angle| <= 1e4 */
@@ -610,7 +610,7 @@ typedef struct cn_body_def {
 	float sleep_speed_mps;         /* >= 0; CN_DEFAULT (default): the world's */
 	uint32_t flags;                /* CN_BODY_*; default ENABLED | SLEEP | AWAKE */
 	int32_t solver;                /* as in cn_body_set_solver; default CN_SOLVER_AUTO */
-	uint64_t user_data;
+	uint64_t user_data;            /* a number for the user; default 0 */
 	const char *name;              /* NULL, or at most CN_NAME_MAX_BYTES bytes of text, copied */
 } cn_body_def;
 
@@ -771,7 +771,7 @@ typedef struct cn_filter {
 	uint64_t category; /* default 1 */
 	uint64_t mask;     /* default all ones */
 	int32_t group;     /* default 0 */
-	uint32_t reserved;
+	uint32_t reserved; /* 0 */
 } cn_filter;
 
 /* How the values of two materials are mixed. If the materials have different rules, the later one of this list applies. */
@@ -816,7 +816,7 @@ enum {
 
 /* Definition of a shape. */
 typedef struct cn_shape_def {
-	uint32_t struct_size;
+	uint32_t struct_size;     /* set by the init function */
 	cn_body body;             /* 0: create unattached, for cn_shape_attach */
 	cn_vec2 offset_m;         /* of the shape in the body's local frame */
 	float angle_rad;          /* of the shape in the body's local frame */
@@ -825,33 +825,33 @@ typedef struct cn_shape_def {
 	cn_filter filter;         /* defaults: see cn_filter */
 	uint32_t event_mask;      /* bits 1 << CN_EVENT_*; a pair reports the events of either shape; default ENTER and LEAVE */
 	uint32_t flags;           /* CN_SHAPE_SENSOR ...; default 0 */
-	uint64_t user_data;
+	uint64_t user_data;       /* a number for the user; default 0 */
 } cn_shape_def;
 
 /* A disc. */
 typedef struct cn_circle {
-	cn_vec2 center_m;
-	float radius_m;
+	cn_vec2 center_m; /* in the body's frame */
+	float radius_m;   /* > 0 */
 } cn_circle;
 
 /* All points within radius_m of the segment. */
 typedef struct cn_capsule {
-	cn_vec2 a_m;
-	cn_vec2 b_m;
-	float radius_m;
+	cn_vec2 a_m;    /* one end of the segment, in the body's frame */
+	cn_vec2 b_m;    /* the other end */
+	float radius_m; /* around the segment, > 0 */
 } cn_capsule;
 
 /* A two-sided segment without mass. */
 typedef struct cn_edge {
-	cn_vec2 a_m;
-	cn_vec2 b_m;
+	cn_vec2 a_m; /* one end, in the body's frame */
+	cn_vec2 b_m; /* the other end */
 } cn_edge;
 
 /* Convex polygon. Either winding is accepted; points are stored counter-clockwise. */
 typedef struct cn_polygon {
 	int32_t count;   /* 3 to CN_POLYGON_MAX_VERTICES */
 	float radius_m;  /* rounding added outside the points, >= 0 */
-	cn_vec2 points_m[CN_POLYGON_MAX_VERTICES];
+	cn_vec2 points_m[CN_POLYGON_MAX_VERTICES]; /* the first count of them; in the body's frame */
 } cn_polygon;
 
 /* One-sided ground without mass; bodies slide over its inner vertices without catching. The solid side is on the left of the order of
@@ -1011,10 +1011,10 @@ typedef struct cn_manifold {
 
 /* A contact event, or the present state of a contact. */
 typedef struct cn_contact_event {
-	cn_shape shape_a;
-	cn_shape shape_b;
-	cn_body body_a;
-	cn_body body_b;
+	cn_shape shape_a;           /* one shape of the pair */
+	cn_shape shape_b;           /* the other */
+	cn_body body_a;             /* of shape_a */
+	cn_body body_b;             /* of shape_b */
 	int32_t child_a;            /* edge number within a chain, else 0 */
 	int32_t child_b;            /* the same of shape b */
 	uint32_t contact_id;        /* the same from CREATED to DESTROYED, then reused */
@@ -1027,7 +1027,7 @@ typedef struct cn_contact_event {
 	float friction_impulse_Ns;  /* along (normal.y, -normal.x), on body b */
 	cn_vec2 hit_point_m;        /* HIT: where, in the world; else (0, 0) */
 	uint32_t material_a;        /* cn_material.user_id of the shapes; 0 for CREATED, LEAVE and DESTROYED */
-	uint32_t material_b;
+	uint32_t material_b;        /* the same of shape_b */
 } cn_contact_event;
 
 /* The contact events of one kind (CN_EVENT_*) of the last step, in a deterministic order. The first call for a kind after a
@@ -1061,12 +1061,12 @@ CN_API cn_result cn_world_set_material_mix_callback(cn_world *world, cn_material
 
 /* A shape entered or left a sensor. */
 typedef struct cn_sensor_event {
-	cn_shape sensor;
-	cn_shape visitor;
-	cn_body sensor_body;
-	cn_body visitor_body;
+	cn_shape sensor;      /* the sensor */
+	cn_shape visitor;     /* the shape that it met */
+	cn_body sensor_body;  /* the sensor's body */
+	cn_body visitor_body; /* the visitor's body */
 	int32_t kind;         /* CN_EVENT_ENTER or CN_EVENT_LEAVE */
-	uint32_t reserved;
+	uint32_t reserved;    /* 0 */
 } cn_sensor_event;
 /* The sensor events of the last step, in a deterministic order; every ENTER gets a LEAVE as for contact events. Sensors
    detect non-sensor shapes of dynamic and kinematic bodies by exact overlap. */
@@ -1123,21 +1123,21 @@ typedef struct cn_joint_base {
 	cn_body body_b;         /* 0: the world; one of the two must be dynamic */
 	cn_vec2 anchor_a_m;     /* in body a's local frame, or in world coordinates */
 	cn_vec2 anchor_b_m;     /* the same for body b */
-	float stiffness_hertz;  /* of the rigid parts, 0 to 1e6; 0 (default): as stiff as the substeps permit */
-	float stiffness_damping_ratio; /* used when stiffness_hertz > 0; 0 to 1e6 */
-	float force_max_N;      /* greatest force of anchors, axes and limits, >= 0; 0 (default): unbounded */
-	float torque_max_Nm;    /* greatest torque of angles, >= 0; 0 (default): unbounded */
-	float break_force_N;    /* a reaction above this in any substep is reported (cn_world_joint_events); 0 (default): never */
+	float stiffness_hertz;  /* of the rigid parts, > 0, to 1e6; CN_DEFAULT (default): as stiff as the substeps permit */
+	float stiffness_damping_ratio; /* used with a stiffness_hertz; 0 to 1e6, default 0 */
+	float force_max_N;      /* greatest force of anchors, axes and limits, > 0; CN_DEFAULT (default): unbounded */
+	float torque_max_Nm;    /* greatest torque of angles, > 0; CN_DEFAULT (default): unbounded */
+	float break_force_N;    /* a reaction above this in any substep is reported (cn_world_joint_events), > 0; CN_DEFAULT (default): never */
 	float break_torque_Nm;  /* the same for the torque */
-	uint64_t user_data;
+	uint64_t user_data;     /* a number for the user; default 0 */
 } cn_joint_base;
 
 /* Two bodies share a point. The joint angle is angle b - angle a - reference, in (-pi, pi]. */
 typedef struct cn_revolute_def {
-	cn_joint_base base;
-	float reference_angle_rad;
+	cn_joint_base base;           /* what every joint has */
+	float reference_angle_rad;    /* angle b - angle a at joint angle 0 */
 	float lower_angle_rad;        /* CN_JOINT_LIMIT: -pi <= lower <= upper <= pi */
-	float upper_angle_rad;
+	float upper_angle_rad;        /* the upper limit */
 	float motor_speed_radps;      /* CN_JOINT_MOTOR */
 	float motor_torque_max_Nm;    /* >= 0 */
 	float spring_target_rad;      /* CN_JOINT_SPRING: pulls the joint angle to this */
@@ -1148,33 +1148,33 @@ typedef struct cn_revolute_def {
 /* Two points keep a distance. Without CN_JOINT_SPRING and CN_JOINT_LIMIT the joint is a rigid rod of length_m. With a spring, length_m
    is its rest length, and limits keep the distance within [min, max]; limits alone make a rope (min 0). */
 typedef struct cn_distance_def {
-	cn_joint_base base;
+	cn_joint_base base;           /* what every joint has */
 	float length_m;               /* > 0; default 1 */
 	float length_min_m;           /* CN_JOINT_LIMIT: 0 <= min <= max; default 0 and 1 */
-	float length_max_m;
+	float length_max_m;           /* the upper limit */
 	float motor_speed_mps;        /* CN_JOINT_MOTOR: along the axis, positive lengthens; with spring or limit only */
 	float motor_force_max_N;      /* >= 0 */
 	float spring_hertz;           /* 0 to 1e6 */
 	float spring_damping_ratio;   /* 0 to 1e6 */
-	float reserved;
+	float reserved;               /* 0 */
 } cn_distance_def;
 
 /* Two welded bodies: no relative motion. base.stiffness_hertz makes the weld springy. */
 typedef struct cn_fixed_def {
-	cn_joint_base base;
+	cn_joint_base base;           /* what every joint has */
 	float reference_angle_rad;    /* angle b - angle a */
-	float angular_hertz;          /* stiffness of the angle alone, 0 to 1e6; 0: the base's */
+	float angular_hertz;          /* stiffness of the angle alone, > 0, to 1e6; CN_DEFAULT (default): the base's */
 	float angular_damping_ratio;  /* 0 to 1e6 */
-	float reserved;
+	float reserved;               /* 0 */
 } cn_fixed_def;
 
 /* b slides along an axis fixed in a, without turning. The translation is along the axis from anchor a. */
 typedef struct cn_prismatic_def {
-	cn_joint_base base;
+	cn_joint_base base;           /* what every joint has */
 	cn_vec2 axis;                 /* in body a's frame, any length > 0 (read back with length 1); default (1, 0) */
 	float reference_angle_rad;    /* angle b - angle a */
 	float lower_m;                /* CN_JOINT_LIMIT: lower <= upper */
-	float upper_m;
+	float upper_m;                /* the upper limit */
 	float motor_speed_mps;        /* CN_JOINT_MOTOR */
 	float motor_force_max_N;      /* >= 0 */
 	float spring_target_m;        /* CN_JOINT_SPRING: pulls the translation to this */
@@ -1184,10 +1184,10 @@ typedef struct cn_prismatic_def {
 
 /* A wheel b on a suspension: b slides along an axis fixed in a, with spring and limits, and turns freely or by the motor. */
 typedef struct cn_wheel_def {
-	cn_joint_base base;
+	cn_joint_base base;           /* what every joint has */
 	cn_vec2 axis;                 /* in body a's frame, any length > 0 (read back with length 1); default (0, 1) */
 	float lower_m;                /* CN_JOINT_LIMIT: lower <= upper */
-	float upper_m;
+	float upper_m;                /* the upper limit */
 	float motor_speed_radps;      /* CN_JOINT_MOTOR */
 	float motor_torque_max_Nm;    /* >= 0 */
 	float spring_hertz;           /* CN_JOINT_SPRING: pulls anchor b to anchor a; 0 to 1e6, default 1 */
@@ -1202,14 +1202,14 @@ typedef struct cn_motor_def {
 	float angle_rad;              /* angle b - angle a */
 	float hertz;                  /* frequency of the spring, > 0, to 1e6; default 5 */
 	float damping_ratio;          /* 0 to 1e6, default 1 */
-	float reserved;
+	float reserved;               /* 0 */
 } cn_motor_def;
 
 /* Drags anchor b of body b to a world point by a spring. body_a must be 0, anchor_a_m is ignored, and
    base.force_max_N must be > 0. */
 typedef struct cn_mouse_def {
-	cn_joint_base base;
-	cn_vec2 target_m;
+	cn_joint_base base;           /* what every joint has */
+	cn_vec2 target_m;             /* world */
 	float hertz;                  /* > 0, to 1e6; default 5 */
 	float damping_ratio;          /* 0 to 1e6, default 0.7 */
 } cn_mouse_def;
@@ -1217,14 +1217,14 @@ typedef struct cn_mouse_def {
 /* angle b = ratio * angle a + phase. Angles begin in (-pi, pi] at creation (or when the ratio is changed) and
    count whole turns from there. */
 typedef struct cn_gear_def {
-	cn_joint_base base;
+	cn_joint_base base;           /* what every joint has */
 	float ratio;                  /* size 1e-4 to 1e4, negative: they turn against each other; default 1 */
 	float phase_rad;              /* default 0 */
 } cn_gear_def;
 
 /* A rope over two pulleys: |anchor a - ground a| + ratio |anchor b - ground b| <= length. It pulls and never pushes. */
 typedef struct cn_pulley_def {
-	cn_joint_base base;
+	cn_joint_base base;           /* what every joint has */
 	cn_vec2 ground_a_m;           /* world */
 	cn_vec2 ground_b_m;           /* world */
 	float ratio;                  /* 1e-4 to 1e4; default 1 */
@@ -1234,29 +1234,29 @@ typedef struct cn_pulley_def {
 /* b may turn against a in one direction, and back only to the last click that it passed. Clicks lie at phase + n * click_rad for every
    whole number n, over whole turns. */
 typedef struct cn_ratchet_def {
-	cn_joint_base base;
+	cn_joint_base base;           /* what every joint has */
 	float phase_rad;              /* default 0 */
 	float click_rad;              /* size 1e-4 to 1e4: must be set; positive: b may turn counter-clockwise */
 } cn_ratchet_def;
 
 /* A torque that pulls angle b - angle a to the rest angle, over whole turns. hertz refers to the inertia of the two bodies. */
 typedef struct cn_rotary_spring_def {
-	cn_joint_base base;
+	cn_joint_base base;           /* what every joint has */
 	float rest_angle_rad;         /* default 0 */
 	float hertz;                  /* > 0, to 1e6; default 1 */
 	float damping_ratio;          /* 0 to 1e6, default 0 */
-	float reserved;
+	float reserved;               /* 0 */
 } cn_rotary_spring_def;
 
 /* Anchor b slides in a slot of body a from anchor a to end_m. */
 typedef struct cn_groove_def {
-	cn_joint_base base;
+	cn_joint_base base;           /* what every joint has */
 	cn_vec2 end_m;                /* in body a's frame; not equal to anchor a; default (1, 0) */
 } cn_groove_def;
 
 /* The two bodies do not collide; no other effect. */
 typedef struct cn_filter_joint_def {
-	cn_joint_base base;
+	cn_joint_base base; /* what every joint has */
 } cn_filter_joint_def;
 
 /* Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing. */
@@ -1447,8 +1447,8 @@ typedef struct cn_joint_event {
 	float force_N;             /* largest reaction of the step; 0 when a body was destroyed */
 	float torque_Nm;           /* the same for the torque */
 	uint32_t destroyed;        /* 1: it broke, or one of its bodies was destroyed */
-	uint32_t reserved;
-	uint64_t user_data;
+	uint32_t reserved;         /* 0 */
+	uint64_t user_data;        /* the joint's or constraint's */
 } cn_joint_event;
 /* Joints and constraints that exceeded a break threshold in the last step, and those destroyed with a body in that step or
    between it and the step before. */
@@ -1469,20 +1469,20 @@ enum {
 
 /* Keeps a body's angle within limits. The angle begins in (-pi, pi] at creation and counts whole turns from there. */
 typedef struct cn_angle_constraint_def {
-	uint32_t struct_size;
+	uint32_t struct_size;     /* set by the init function */
 	uint32_t flags;           /* CN_CONSTRAINT_*; default 0 */
 	cn_body body;             /* must be dynamic */
 	float lower_rad;          /* lower <= upper; equal: locked */
-	float upper_rad;
-	float hertz;              /* 0 (default): rigid; to 1e6 */
-	float damping_ratio;      /* used when hertz > 0; 0 to 1e6 */
-	float break_torque_Nm;    /* a reaction above this is reported (cn_world_joint_events); 0: never */
-	uint64_t user_data;
+	float upper_rad;          /* the upper limit */
+	float hertz;              /* > 0, to 1e6; CN_DEFAULT (default): rigid */
+	float damping_ratio;      /* used with a hertz; 0 to 1e6 */
+	float break_torque_Nm;    /* a reaction above this is reported (cn_world_joint_events), > 0; CN_DEFAULT (default): never */
+	uint64_t user_data;       /* a number for the user; default 0 */
 } cn_angle_constraint_def;
 
 /* Keeps a point of a body on a line in the world, within a tolerance on both sides, and between limits along the line. */
 typedef struct cn_line_constraint_def {
-	uint32_t struct_size;
+	uint32_t struct_size;     /* set by the init function */
 	uint32_t flags;           /* CN_CONSTRAINT_*; default 0 */
 	cn_body body;             /* must be dynamic */
 	cn_vec2 anchor_m;         /* in the body's frame */
@@ -1490,12 +1490,12 @@ typedef struct cn_line_constraint_def {
 	cn_vec2 axis;             /* world, any length > 0 (read back with length 1); default (1, 0) */
 	float tolerance_m;        /* >= 0: free play across the axis */
 	float lower_m;            /* CN_CONSTRAINT_LIMIT: along the axis from origin; lower <= upper */
-	float upper_m;
-	float hertz;              /* 0 (default): rigid; to 1e6 */
-	float damping_ratio;      /* used when hertz > 0; 0 to 1e6 */
-	float break_force_N;      /* a reaction above this is reported (cn_world_joint_events); 0: never */
-	uint32_t reserved;
-	uint64_t user_data;
+	float upper_m;            /* the upper limit */
+	float hertz;              /* > 0, to 1e6; CN_DEFAULT (default): rigid */
+	float damping_ratio;      /* used with a hertz; 0 to 1e6 */
+	float break_force_N;      /* a reaction above this is reported (cn_world_joint_events), > 0; CN_DEFAULT (default): never */
+	uint32_t reserved;        /* 0 */
+	uint64_t user_data;       /* a number for the user; default 0 */
 } cn_line_constraint_def;
 
 /* Sets struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing. */
@@ -1566,13 +1566,13 @@ typedef struct cn_ray {
    leads along the surface or away from it. */
 typedef struct cn_ray_hit {
 	cn_shape shape;       /* 0: nothing was hit */
-	cn_body body;
+	cn_body body;         /* the shape's */
 	int32_t child;        /* edge of a chain */
 	float fraction;       /* of the translation, [0, 1]; 1 when nothing was hit */
 	cn_vec2 point_m;      /* on the surface of the shape that was hit */
 	cn_vec2 normal;       /* unit, out of the shape that was hit */
 	float depth_m;        /* depth of the start inside it, 0 outside */
-	uint32_t reserved;
+	uint32_t reserved;    /* 0 */
 } cn_ray_hit;
 
 /* Results of a cn_query_fn. */
@@ -1604,7 +1604,7 @@ typedef struct cn_query_filter {
 	cn_body ignored_body; /* its shapes are ignored; 0 (default): none. A stale handle is an error */
 	uint32_t flags;       /* CN_QUERY_IGNORE_JOINED ...; default 0 */
 	cn_query_fn *visit;   /* NULL (default): take all shapes */
-	void *user;
+	void *user;           /* last argument of visit */
 } cn_query_filter;
 /* Sets the defaults given beside the fields. NULL does nothing. */
 CN_API void cn_query_filter_init(cn_query_filter *filter);
@@ -1646,8 +1646,8 @@ CN_API cn_result cn_world_overlap_point(const cn_world *world, float x_m, float 
 /* The shape nearest to a point. */
 typedef struct cn_closest {
 	cn_shape shape;       /* 0: nothing within the distance */
-	cn_body body;
-	int32_t child;
+	cn_body body;         /* the shape's */
+	int32_t child;        /* edge of a chain */
 	float distance_m;     /* negative: depth inside a shape with area */
 	cn_vec2 point_m;      /* on the surface */
 	cn_vec2 normal;       /* outward there; of edges and chains towards the point */
@@ -1668,7 +1668,7 @@ typedef struct cn_distance {
 	cn_vec2 point_b_m;    /* on the surface of b */
 	cn_vec2 normal;       /* unit, from a to b */
 	float distance_m;     /* of the surfaces; negative: the depth, the shortest translation of b out of a */
-	uint32_t reserved;
+	uint32_t reserved;    /* 0 */
 } cn_distance;
 /* Distance of two shapes in metres: by GJK (Gilbert, Johnson, Keerthi, 1988) when the shapes without their radii are apart,
    else by their Minkowski difference. Needs no world; runs in any thread. O(points). */
@@ -1685,11 +1685,11 @@ CN_API cn_result cn_polygon_collide(const cn_polygon *a, const cn_pose *pose_a, 
 
 /* A motion from fraction 0 to 1: a point of the shape moves in a straight line, and the shape turns about it at a constant rate. */
 typedef struct cn_sweep {
-	cn_pose start;
+	cn_pose start;         /* of the shape, before the motion */
 	cn_vec2 center_m;      /* that point, in the shape's frame: the centre of mass of a body */
 	cn_vec2 translation_m; /* of it; at most 2e6 m each way */
 	float turn_rad;        /* counter-clockwise, |turn| <= 1e4 */
-	uint32_t reserved;
+	uint32_t reserved;     /* 0 */
 } cn_sweep;
 /* States of a time of impact. */
 enum {
@@ -1701,11 +1701,11 @@ enum {
 /* Result of cn_polygon_time_of_impact. */
 typedef struct cn_impact {
 	int32_t state;         /* CN_IMPACT_* */
-	float fraction;
+	float fraction;        /* of both motions, [0, 1] */
 	cn_vec2 point_m;       /* HIT only, as are the next two: between the surfaces */
 	cn_vec2 normal;        /* unit, from a to b */
 	float distance_m;      /* of the surfaces at fraction: distance_m to 0.1 mm (or the resolution of floats) above it */
-	uint32_t reserved;
+	uint32_t reserved;     /* 0 */
 } cn_impact;
 /* First time at which two moving and turning shapes come within distance_m (0 to 1e6); fraction 0 if they start closer.
    Conservative advancement (Mirtich, 1996) along fixed axes (Catto, GDC 2013) never misses a hit. Needs no world; runs in any
@@ -1723,8 +1723,8 @@ typedef struct cn_plane {
 	float separation_m;    /* of the surfaces along the normal; negative: they overlap */
 	float push_max_m;      /* greatest push of this plane, >= 0; FLT_MAX: rigid */
 	float push_m;          /* its push in the last cn_mover_solve */
-	cn_shape shape;
-	cn_body body;
+	cn_shape shape;        /* whose surface it is */
+	cn_body body;          /* the shape's */
 	int32_t child;         /* edge of a chain */
 } cn_plane;
 /* Collision planes of all shapes within margin_m (0 to 1e6) of a polygon (as in cn_world_cast_shape) moved by position, from
@@ -1751,7 +1751,7 @@ enum {
 };
 /* How a character moves. It may change between moves: crouching is another shape. */
 typedef struct cn_mover_def {
-	uint32_t struct_size;
+	uint32_t struct_size;          /* set by the init function */
 	uint32_t flags;                /* CN_MOVER_DROP; default 0 */
 	cn_polygon shape;              /* around its position, never turned; 1 or 2 points with radius > 0: circle, capsule. Default: a capsule
 	                                  of radius 0.3 from -0.5 to 0.5 along y: 1.6 high. Round shapes move more smoothly */
@@ -1777,7 +1777,7 @@ enum {
    bodies do not collide with it: for that give it a kinematic body that is filter.ignored_body and follows by cn_body_set_target_pose.
    Initially all fields are 0 except the position. */
 typedef struct cn_mover {
-	cn_vec2 position_m;
+	cn_vec2 position_m;            /* of the shape's origin, world */
 	cn_vec2 velocity_mps;          /* in the air: of the world. On the ground: walking speed along the ground, relative to the ground, as
 	                                  its component across up; the one along up is 0, and a jump when the caller makes it > 0 */
 	cn_vec2 ground_normal;         /* of the ground with CN_MOVER_ON_GROUND, else (0, 0) */
@@ -1785,7 +1785,7 @@ typedef struct cn_mover {
 	cn_vec2 ground_local_m;        /* ... in the frame of ground_body */
 	cn_vec2 ground_velocity_mps;   /* of the ground there */
 	cn_body ground_body;           /* 0: none; a stale handle counts as none */
-	cn_shape ground_shape;
+	cn_shape ground_shape;         /* the same for its shape */
 	uint32_t flags;                /* CN_MOVER_ON_*, after the last move */
 	float squeezed_m;              /* overlap with surfaces that leave it no room; else 0 up to rounding */
 } cn_mover;
@@ -1816,13 +1816,13 @@ enum {
 /* What a sensor shape does to the dynamic bodies in it: water, wind tunnels, planets, rooms without gravity. Several areas act in the order
    of their priority, equal ones in that of cn_world_get_shapes; their accelerations, damping and forces add up. */
 typedef struct cn_area_def {
-	uint32_t struct_size;
+	uint32_t struct_size;         /* set by the init function */
 	uint32_t flags;               /* CN_AREA_REPLACE; default 0 */
 	int32_t priority;             /* default 0 */
 	cn_vec2 gravity_mps2;         /* acceleration in the axes of the world, times the body's gravity_scale; default (0, 0) */
 	cn_vec2 center_m;             /* of pull_mps2, in the frame of the sensor's body; default (0, 0) */
 	float pull_mps2;              /* acceleration towards center_m; negative pushes; default 0 */
-	float pull_distance_m;        /* 0 (default): pull_mps2 at every distance; to 1e6 length units: at this distance, with its inverse square
+	float pull_distance_m;        /* CN_DEFAULT (default): pull_mps2 at every distance; > 0, to 1e6 length units: at this distance, with its inverse square
 	                                 outside, and falling to 0 at the centre: a homogeneous planet */
 	float linear_damping_per_s;   /* of the velocity relative to flow_mps, added to the body's own; of the displaced mass in a medium
 	                                 with density (which is the body's mass where it floats), else of the body's; 0 to 1e9, default 0 */
@@ -1867,7 +1867,7 @@ CN_API cn_result cn_shape_apply_wind(cn_world *world, cn_shape shape, float flow
 
 /* Definition of an explosion. */
 typedef struct cn_explosion_def {
-	uint32_t struct_size;
+	uint32_t struct_size;     /* set by the init function */
 	float radius_m;           /* full strength up to this distance of a shape's nearest point, 0 to 1e6 length units; default 1 */
 	float falloff_m;          /* then linearly to 0 over this distance, 0 to 1e6 length units; default 0 */
 	float impulse_Nspm;       /* per metre of the shape's width seen from the centre; negative pulls; default 0 */
@@ -1894,7 +1894,7 @@ enum {
 
 /* The user's drawing functions; NULL ones are not called. Colours are 0xRRGGBB. Points are in world coordinates. */
 typedef struct cn_debug_draw {
-	uint32_t struct_size;
+	uint32_t struct_size;       /* set by the init function */
 	uint32_t flags;             /* CN_DRAW_*; default SHAPES | JOINTS | CONTACTS */
 	cn_aabb view;               /* things outside are not drawn; default everything */
 	void (*polygon)(const cn_vec2 *points_m, int32_t count, float radius_m, uint32_t color, void *user); /* count points, counter-clockwise */
@@ -1905,7 +1905,7 @@ typedef struct cn_debug_draw {
 	void (*point)(const cn_vec2 *point_m, float size_px, uint32_t color, void *user); /* size in pixels */
 	void (*text)(const cn_vec2 *point_m, const char *text, uint32_t color, void *user); /* zero-terminated, valid during the call */
 	void *user;                 /* last argument of the functions */
-	void *reserved;
+	void *reserved;             /* 0 */
 } cn_debug_draw;
 /* Sets struct_size and the defaults given beside the fields, every function to NULL. NULL does nothing. */
 CN_API void cn_debug_draw_init(cn_debug_draw *draw);

@@ -304,13 +304,14 @@ public:
 		return { Status(code, nullptr), std::move(out_solver) };
 	}
 
-	/// Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, or CN_DEFAULT; 0 to 1e9, 0 for no limit.
+	/// Sets accuracy_m and work_budget as in cn_world_def: metres >= 0 and 1 to 1e9, or CN_DEFAULT.
 	Status set_accuracy(float accuracy_m, int32_t work_budget)
 	{
 		return Status(cn_world_set_accuracy(world_, accuracy_m, work_budget), world_);
 	}
 
-	/// Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget.
+	/// Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget
+	/// (CN_DEFAULT: none).
 	Result<std::tuple<float, int32_t>> get_accuracy() const
 	{
 		float out_accuracy_m{};

@@ -159,7 +159,9 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_vec2
 	{
+		/// <summary>to the right</summary>
 		public float x;
+		/// <summary>upwards</summary>
 		public float y;
 	}
 
@@ -168,8 +170,11 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_pose
 	{
+		/// <summary>of the body's origin</summary>
 		public cn_vec2 position_m;
+		/// <summary>of the angle</summary>
 		public float cosine;
+		/// <summary>of the angle</summary>
 		public float sine;
 	}
 
@@ -187,7 +192,9 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_aabb
 	{
+		/// <summary>left and bottom</summary>
 		public cn_vec2 lower_m;
+		/// <summary>right and top</summary>
 		public cn_vec2 upper_m;
 	}
 
@@ -195,6 +202,7 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_mass_data
 	{
+		/// <summary>of all shapes, or as set</summary>
 		public float mass_kg;
 		/// <summary>about the centre of mass</summary>
 		public float inertia_kgm2;
@@ -206,6 +214,7 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_world_def
 	{
+		/// <summary>set by the init function</summary>
 		public uint struct_size;
 		/// <summary>CN_WORLD_*; default SLEEP | WARM_START | CONTINUOUS</summary>
 		public uint flags;
@@ -222,7 +231,7 @@ namespace Cairn
 		/// <summary>CN_SOLVER_AUTO aims at errors below this, &gt;= 0; CN_DEFAULT (default): 0.005 x length unit</summary>
 		public float accuracy_m;
 		/// <summary>limit of direct solving in a step, in factored blocks (joints, contacts and their fill), substeps
-		/// included, about 10 ns each; 0 to 1e9; default 0: the limits of single islands only</summary>
+		/// included, about 10 ns each; 1 to 1e9; CN_DEFAULT (default): the limits of single islands only</summary>
 		public int work_budget;
 		/// <summary>slower impacts do not bounce, &gt;= 0; CN_DEFAULT (default): 1 x length unit</summary>
 		public float restitution_threshold_mps;
@@ -244,6 +253,7 @@ namespace Cairn
 		public int contact_capacity;
 		/// <summary>counts constraints too</summary>
 		public int joint_capacity;
+		/// <summary>a number for the user; default 0</summary>
 		public ulong user_data;
 		/// <summary>size of memory; 0: use alloc and free</summary>
 		public ulong memory_bytes;
@@ -261,8 +271,8 @@ namespace Cairn
 		public IntPtr finish;
 		/// <summary>last argument of enqueue and finish</summary>
 		public void* task_user;
-		/// <summary>threads that share a step, including the calling one; 0 to CN_WORKERS_MAX; default 0, the same as 1: no
-		/// threads, no tasks</summary>
+		/// <summary>threads that share a step, including the calling one; 1 to CN_WORKERS_MAX; default 1: no threads, no
+		/// tasks</summary>
 		public int worker_count;
 		/// <summary>blows at least this fast are reported by CN_EVENT_HIT, &gt;= 0; CN_DEFAULT (default): 1 x length unit</summary>
 		public float hit_speed_mps;
@@ -406,6 +416,7 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_body_def
 	{
+		/// <summary>set by the init function</summary>
 		public uint struct_size;
 		/// <summary>CN_BODY_STATIC, _KINEMATIC, _DYNAMIC; default dynamic</summary>
 		public int type;
@@ -429,6 +440,7 @@ namespace Cairn
 		public uint flags;
 		/// <summary>as in cn_body_set_solver; default CN_SOLVER_AUTO</summary>
 		public int solver;
+		/// <summary>a number for the user; default 0</summary>
 		public ulong user_data;
 		/// <summary>NULL, or at most CN_NAME_MAX_BYTES bytes of text, copied</summary>
 		public byte* name;
@@ -459,6 +471,7 @@ namespace Cairn
 		public ulong mask;
 		/// <summary>default 0</summary>
 		public int group;
+		/// <summary>0</summary>
 		public uint reserved;
 	}
 
@@ -488,6 +501,7 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_shape_def
 	{
+		/// <summary>set by the init function</summary>
 		public uint struct_size;
 		/// <summary>0: create unattached, for cn_shape_attach</summary>
 		public cn_body body;
@@ -505,6 +519,7 @@ namespace Cairn
 		public uint event_mask;
 		/// <summary>CN_SHAPE_SENSOR ...; default 0</summary>
 		public uint flags;
+		/// <summary>a number for the user; default 0</summary>
 		public ulong user_data;
 	}
 
@@ -512,7 +527,9 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_circle
 	{
+		/// <summary>in the body's frame</summary>
 		public cn_vec2 center_m;
+		/// <summary>&gt; 0</summary>
 		public float radius_m;
 	}
 
@@ -520,8 +537,11 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_capsule
 	{
+		/// <summary>one end of the segment, in the body's frame</summary>
 		public cn_vec2 a_m;
+		/// <summary>the other end</summary>
 		public cn_vec2 b_m;
+		/// <summary>around the segment, &gt; 0</summary>
 		public float radius_m;
 	}
 
@@ -529,7 +549,9 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_edge
 	{
+		/// <summary>one end, in the body's frame</summary>
 		public cn_vec2 a_m;
+		/// <summary>the other end</summary>
 		public cn_vec2 b_m;
 	}
 
@@ -541,6 +563,7 @@ namespace Cairn
 		public int count;
 		/// <summary>rounding added outside the points, &gt;= 0</summary>
 		public float radius_m;
+		/// <summary>the first count of them; in the body's frame</summary>
 		public cn_vec2_array16 points_m;
 	}
 
@@ -590,9 +613,13 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_contact_event
 	{
+		/// <summary>one shape of the pair</summary>
 		public cn_shape shape_a;
+		/// <summary>the other</summary>
 		public cn_shape shape_b;
+		/// <summary>of shape_a</summary>
 		public cn_body body_a;
+		/// <summary>of shape_b</summary>
 		public cn_body body_b;
 		/// <summary>edge number within a chain, else 0</summary>
 		public int child_a;
@@ -616,6 +643,7 @@ namespace Cairn
 		public cn_vec2 hit_point_m;
 		/// <summary>cn_material.user_id of the shapes; 0 for CREATED, LEAVE and DESTROYED</summary>
 		public uint material_a;
+		/// <summary>the same of shape_b</summary>
 		public uint material_b;
 	}
 
@@ -623,12 +651,17 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_sensor_event
 	{
+		/// <summary>the sensor</summary>
 		public cn_shape sensor;
+		/// <summary>the shape that it met</summary>
 		public cn_shape visitor;
+		/// <summary>the sensor's body</summary>
 		public cn_body sensor_body;
+		/// <summary>the visitor's body</summary>
 		public cn_body visitor_body;
 		/// <summary>CN_EVENT_ENTER or CN_EVENT_LEAVE</summary>
 		public int kind;
+		/// <summary>0</summary>
 		public uint reserved;
 	}
 
@@ -649,18 +682,20 @@ namespace Cairn
 		public cn_vec2 anchor_a_m;
 		/// <summary>the same for body b</summary>
 		public cn_vec2 anchor_b_m;
-		/// <summary>of the rigid parts, 0 to 1e6; 0 (default): as stiff as the substeps permit</summary>
+		/// <summary>of the rigid parts, &gt; 0, to 1e6; CN_DEFAULT (default): as stiff as the substeps permit</summary>
 		public float stiffness_hertz;
-		/// <summary>used when stiffness_hertz &gt; 0; 0 to 1e6</summary>
+		/// <summary>used with a stiffness_hertz; 0 to 1e6, default 0</summary>
 		public float stiffness_damping_ratio;
-		/// <summary>greatest force of anchors, axes and limits, &gt;= 0; 0 (default): unbounded</summary>
+		/// <summary>greatest force of anchors, axes and limits, &gt; 0; CN_DEFAULT (default): unbounded</summary>
 		public float force_max_N;
-		/// <summary>greatest torque of angles, &gt;= 0; 0 (default): unbounded</summary>
+		/// <summary>greatest torque of angles, &gt; 0; CN_DEFAULT (default): unbounded</summary>
 		public float torque_max_Nm;
-		/// <summary>a reaction above this in any substep is reported (cn_world_joint_events); 0 (default): never</summary>
+		/// <summary>a reaction above this in any substep is reported (cn_world_joint_events), &gt; 0; CN_DEFAULT (default):
+		/// never</summary>
 		public float break_force_N;
 		/// <summary>the same for the torque</summary>
 		public float break_torque_Nm;
+		/// <summary>a number for the user; default 0</summary>
 		public ulong user_data;
 	}
 
@@ -668,10 +703,13 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_revolute_def
 	{
+		/// <summary>what every joint has</summary>
 		public cn_joint_base @base;
+		/// <summary>angle b - angle a at joint angle 0</summary>
 		public float reference_angle_rad;
 		/// <summary>CN_JOINT_LIMIT: -pi &lt;= lower &lt;= upper &lt;= pi</summary>
 		public float lower_angle_rad;
+		/// <summary>the upper limit</summary>
 		public float upper_angle_rad;
 		/// <summary>CN_JOINT_MOTOR</summary>
 		public float motor_speed_radps;
@@ -691,11 +729,13 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_distance_def
 	{
+		/// <summary>what every joint has</summary>
 		public cn_joint_base @base;
 		/// <summary>&gt; 0; default 1</summary>
 		public float length_m;
 		/// <summary>CN_JOINT_LIMIT: 0 &lt;= min &lt;= max; default 0 and 1</summary>
 		public float length_min_m;
+		/// <summary>the upper limit</summary>
 		public float length_max_m;
 		/// <summary>CN_JOINT_MOTOR: along the axis, positive lengthens; with spring or limit only</summary>
 		public float motor_speed_mps;
@@ -705,6 +745,7 @@ namespace Cairn
 		public float spring_hertz;
 		/// <summary>0 to 1e6</summary>
 		public float spring_damping_ratio;
+		/// <summary>0</summary>
 		public float reserved;
 	}
 
@@ -712,13 +753,15 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_fixed_def
 	{
+		/// <summary>what every joint has</summary>
 		public cn_joint_base @base;
 		/// <summary>angle b - angle a</summary>
 		public float reference_angle_rad;
-		/// <summary>stiffness of the angle alone, 0 to 1e6; 0: the base's</summary>
+		/// <summary>stiffness of the angle alone, &gt; 0, to 1e6; CN_DEFAULT (default): the base's</summary>
 		public float angular_hertz;
 		/// <summary>0 to 1e6</summary>
 		public float angular_damping_ratio;
+		/// <summary>0</summary>
 		public float reserved;
 	}
 
@@ -726,6 +769,7 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_prismatic_def
 	{
+		/// <summary>what every joint has</summary>
 		public cn_joint_base @base;
 		/// <summary>in body a's frame, any length &gt; 0 (read back with length 1); default (1, 0)</summary>
 		public cn_vec2 axis;
@@ -733,6 +777,7 @@ namespace Cairn
 		public float reference_angle_rad;
 		/// <summary>CN_JOINT_LIMIT: lower &lt;= upper</summary>
 		public float lower_m;
+		/// <summary>the upper limit</summary>
 		public float upper_m;
 		/// <summary>CN_JOINT_MOTOR</summary>
 		public float motor_speed_mps;
@@ -751,11 +796,13 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_wheel_def
 	{
+		/// <summary>what every joint has</summary>
 		public cn_joint_base @base;
 		/// <summary>in body a's frame, any length &gt; 0 (read back with length 1); default (0, 1)</summary>
 		public cn_vec2 axis;
 		/// <summary>CN_JOINT_LIMIT: lower &lt;= upper</summary>
 		public float lower_m;
+		/// <summary>the upper limit</summary>
 		public float upper_m;
 		/// <summary>CN_JOINT_MOTOR</summary>
 		public float motor_speed_radps;
@@ -782,6 +829,7 @@ namespace Cairn
 		public float hertz;
 		/// <summary>0 to 1e6, default 1</summary>
 		public float damping_ratio;
+		/// <summary>0</summary>
 		public float reserved;
 	}
 
@@ -790,7 +838,9 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_mouse_def
 	{
+		/// <summary>what every joint has</summary>
 		public cn_joint_base @base;
+		/// <summary>world</summary>
 		public cn_vec2 target_m;
 		/// <summary>&gt; 0, to 1e6; default 5</summary>
 		public float hertz;
@@ -803,6 +853,7 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_gear_def
 	{
+		/// <summary>what every joint has</summary>
 		public cn_joint_base @base;
 		/// <summary>size 1e-4 to 1e4, negative: they turn against each other; default 1</summary>
 		public float ratio;
@@ -815,6 +866,7 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_pulley_def
 	{
+		/// <summary>what every joint has</summary>
 		public cn_joint_base @base;
 		/// <summary>world</summary>
 		public cn_vec2 ground_a_m;
@@ -831,6 +883,7 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_ratchet_def
 	{
+		/// <summary>what every joint has</summary>
 		public cn_joint_base @base;
 		/// <summary>default 0</summary>
 		public float phase_rad;
@@ -843,6 +896,7 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_rotary_spring_def
 	{
+		/// <summary>what every joint has</summary>
 		public cn_joint_base @base;
 		/// <summary>default 0</summary>
 		public float rest_angle_rad;
@@ -850,6 +904,7 @@ namespace Cairn
 		public float hertz;
 		/// <summary>0 to 1e6, default 0</summary>
 		public float damping_ratio;
+		/// <summary>0</summary>
 		public float reserved;
 	}
 
@@ -857,6 +912,7 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_groove_def
 	{
+		/// <summary>what every joint has</summary>
 		public cn_joint_base @base;
 		/// <summary>in body a's frame; not equal to anchor a; default (1, 0)</summary>
 		public cn_vec2 end_m;
@@ -866,6 +922,7 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_filter_joint_def
 	{
+		/// <summary>what every joint has</summary>
 		public cn_joint_base @base;
 	}
 
@@ -887,7 +944,9 @@ namespace Cairn
 		public float torque_Nm;
 		/// <summary>1: it broke, or one of its bodies was destroyed</summary>
 		public uint destroyed;
+		/// <summary>0</summary>
 		public uint reserved;
+		/// <summary>the joint's or constraint's</summary>
 		public ulong user_data;
 	}
 
@@ -896,6 +955,7 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_angle_constraint_def
 	{
+		/// <summary>set by the init function</summary>
 		public uint struct_size;
 		/// <summary>CN_CONSTRAINT_*; default 0</summary>
 		public uint flags;
@@ -903,13 +963,15 @@ namespace Cairn
 		public cn_body body;
 		/// <summary>lower &lt;= upper; equal: locked</summary>
 		public float lower_rad;
+		/// <summary>the upper limit</summary>
 		public float upper_rad;
-		/// <summary>0 (default): rigid; to 1e6</summary>
+		/// <summary>&gt; 0, to 1e6; CN_DEFAULT (default): rigid</summary>
 		public float hertz;
-		/// <summary>used when hertz &gt; 0; 0 to 1e6</summary>
+		/// <summary>used with a hertz; 0 to 1e6</summary>
 		public float damping_ratio;
-		/// <summary>a reaction above this is reported (cn_world_joint_events); 0: never</summary>
+		/// <summary>a reaction above this is reported (cn_world_joint_events), &gt; 0; CN_DEFAULT (default): never</summary>
 		public float break_torque_Nm;
+		/// <summary>a number for the user; default 0</summary>
 		public ulong user_data;
 	}
 
@@ -918,6 +980,7 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_line_constraint_def
 	{
+		/// <summary>set by the init function</summary>
 		public uint struct_size;
 		/// <summary>CN_CONSTRAINT_*; default 0</summary>
 		public uint flags;
@@ -933,14 +996,17 @@ namespace Cairn
 		public float tolerance_m;
 		/// <summary>CN_CONSTRAINT_LIMIT: along the axis from origin; lower &lt;= upper</summary>
 		public float lower_m;
+		/// <summary>the upper limit</summary>
 		public float upper_m;
-		/// <summary>0 (default): rigid; to 1e6</summary>
+		/// <summary>&gt; 0, to 1e6; CN_DEFAULT (default): rigid</summary>
 		public float hertz;
-		/// <summary>used when hertz &gt; 0; 0 to 1e6</summary>
+		/// <summary>used with a hertz; 0 to 1e6</summary>
 		public float damping_ratio;
-		/// <summary>a reaction above this is reported (cn_world_joint_events); 0: never</summary>
+		/// <summary>a reaction above this is reported (cn_world_joint_events), &gt; 0; CN_DEFAULT (default): never</summary>
 		public float break_force_N;
+		/// <summary>0</summary>
 		public uint reserved;
+		/// <summary>a number for the user; default 0</summary>
 		public ulong user_data;
 	}
 
@@ -976,6 +1042,7 @@ namespace Cairn
 	{
 		/// <summary>0: nothing was hit</summary>
 		public cn_shape shape;
+		/// <summary>the shape's</summary>
 		public cn_body body;
 		/// <summary>edge of a chain</summary>
 		public int child;
@@ -987,6 +1054,7 @@ namespace Cairn
 		public cn_vec2 normal;
 		/// <summary>depth of the start inside it, 0 outside</summary>
 		public float depth_m;
+		/// <summary>0</summary>
 		public uint reserved;
 	}
 
@@ -1006,6 +1074,7 @@ namespace Cairn
 		public uint flags;
 		/// <summary>NULL (default): take all shapes</summary>
 		public IntPtr visit;
+		/// <summary>last argument of visit</summary>
 		public void* user;
 	}
 
@@ -1015,7 +1084,9 @@ namespace Cairn
 	{
 		/// <summary>0: nothing within the distance</summary>
 		public cn_shape shape;
+		/// <summary>the shape's</summary>
 		public cn_body body;
+		/// <summary>edge of a chain</summary>
 		public int child;
 		/// <summary>negative: depth inside a shape with area</summary>
 		public float distance_m;
@@ -1037,6 +1108,7 @@ namespace Cairn
 		public cn_vec2 normal;
 		/// <summary>of the surfaces; negative: the depth, the shortest translation of b out of a</summary>
 		public float distance_m;
+		/// <summary>0</summary>
 		public uint reserved;
 	}
 
@@ -1045,6 +1117,7 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_sweep
 	{
+		/// <summary>of the shape, before the motion</summary>
 		public cn_pose start;
 		/// <summary>that point, in the shape's frame: the centre of mass of a body</summary>
 		public cn_vec2 center_m;
@@ -1052,6 +1125,7 @@ namespace Cairn
 		public cn_vec2 translation_m;
 		/// <summary>counter-clockwise, |turn| &lt;= 1e4</summary>
 		public float turn_rad;
+		/// <summary>0</summary>
 		public uint reserved;
 	}
 
@@ -1061,6 +1135,7 @@ namespace Cairn
 	{
 		/// <summary>CN_IMPACT_*</summary>
 		public int state;
+		/// <summary>of both motions, [0, 1]</summary>
 		public float fraction;
 		/// <summary>HIT only, as are the next two: between the surfaces</summary>
 		public cn_vec2 point_m;
@@ -1068,6 +1143,7 @@ namespace Cairn
 		public cn_vec2 normal;
 		/// <summary>of the surfaces at fraction: distance_m to 0.1 mm (or the resolution of floats) above it</summary>
 		public float distance_m;
+		/// <summary>0</summary>
 		public uint reserved;
 	}
 
@@ -1086,7 +1162,9 @@ namespace Cairn
 		public float push_max_m;
 		/// <summary>its push in the last cn_mover_solve</summary>
 		public float push_m;
+		/// <summary>whose surface it is</summary>
 		public cn_shape shape;
+		/// <summary>the shape's</summary>
 		public cn_body body;
 		/// <summary>edge of a chain</summary>
 		public int child;
@@ -1096,6 +1174,7 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_mover_def
 	{
+		/// <summary>set by the init function</summary>
 		public uint struct_size;
 		/// <summary>CN_MOVER_DROP; default 0</summary>
 		public uint flags;
@@ -1127,6 +1206,7 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_mover
 	{
+		/// <summary>of the shape's origin, world</summary>
 		public cn_vec2 position_m;
 		/// <summary>in the air: of the world. On the ground: walking speed along the ground, relative to the ground, as its
 		/// component across up; the one along up is 0, and a jump when the caller makes it &gt; 0</summary>
@@ -1141,6 +1221,7 @@ namespace Cairn
 		public cn_vec2 ground_velocity_mps;
 		/// <summary>0: none; a stale handle counts as none</summary>
 		public cn_body ground_body;
+		/// <summary>the same for its shape</summary>
 		public cn_shape ground_shape;
 		/// <summary>CN_MOVER_ON_*, after the last move</summary>
 		public uint flags;
@@ -1154,6 +1235,7 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_area_def
 	{
+		/// <summary>set by the init function</summary>
 		public uint struct_size;
 		/// <summary>CN_AREA_REPLACE; default 0</summary>
 		public uint flags;
@@ -1165,8 +1247,8 @@ namespace Cairn
 		public cn_vec2 center_m;
 		/// <summary>acceleration towards center_m; negative pushes; default 0</summary>
 		public float pull_mps2;
-		/// <summary>0 (default): pull_mps2 at every distance; to 1e6 length units: at this distance, with its inverse square
-		/// outside, and falling to 0 at the centre: a homogeneous planet</summary>
+		/// <summary>CN_DEFAULT (default): pull_mps2 at every distance; &gt; 0, to 1e6 length units: at this distance, with
+		/// its inverse square outside, and falling to 0 at the centre: a homogeneous planet</summary>
 		public float pull_distance_m;
 		/// <summary>of the velocity relative to flow_mps, added to the body's own; of the displaced mass in a medium with
 		/// density (which is the body's mass where it floats), else of the body's; 0 to 1e9, default 0</summary>
@@ -1187,6 +1269,7 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_explosion_def
 	{
+		/// <summary>set by the init function</summary>
 		public uint struct_size;
 		/// <summary>full strength up to this distance of a shape's nearest point, 0 to 1e6 length units; default 1</summary>
 		public float radius_m;
@@ -1205,6 +1288,7 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_debug_draw
 	{
+		/// <summary>set by the init function</summary>
 		public uint struct_size;
 		/// <summary>CN_DRAW_*; default SHAPES | JOINTS | CONTACTS</summary>
 		public uint flags;
@@ -1224,6 +1308,7 @@ namespace Cairn
 		public IntPtr text;
 		/// <summary>last argument of the functions</summary>
 		public void* user;
+		/// <summary>0</summary>
 		public void* reserved;
 	}
 
@@ -1318,8 +1403,10 @@ namespace Cairn
 		public const int CN_WORKERS_MAX = 64;
 		public const int CN_MAX_HANDLES = 1048575;
 
-		// In a definition: the default of a field whose comment names CN_DEFAULT.
-		/// <summary>In a definition: the default of a field whose comment names CN_DEFAULT.</summary>
+		// In a definition: the default of a field whose comment names CN_DEFAULT; other fields refuse it where it
+		// is out of their range.
+		/// <summary>In a definition: the default of a field whose comment names CN_DEFAULT; other fields refuse it where it
+		/// is out of their range.</summary>
 		public const int CN_DEFAULT = -1;
 
 		// Result codes.
@@ -1739,12 +1826,12 @@ namespace Cairn
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_get_solver(cn_world* world, int* out_solver);
 
-		/// <summary>Sets accuracy_m and work_budget as in cn_world_def: metres &gt;= 0, or CN_DEFAULT; 0 to 1e9, 0 for no
-		/// limit.</summary>
+		/// <summary>Sets accuracy_m and work_budget as in cn_world_def: metres &gt;= 0 and 1 to 1e9, or CN_DEFAULT.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_set_accuracy(cn_world* world, float accuracy_m, int work_budget);
 
-		/// <summary>Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget.</summary>
+		/// <summary>Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget
+		/// (CN_DEFAULT: none).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_get_accuracy(cn_world* world, float* out_accuracy_m, int* out_work_budget);
 

@@ -72,7 +72,9 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct Vec2
 	{
+		/// <summary>to the right</summary>
 		public float X;
+		/// <summary>upwards</summary>
 		public float Y;
 	}
 
@@ -81,8 +83,11 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct Pose
 	{
+		/// <summary>of the body's origin</summary>
 		public Vec2 PositionM;
+		/// <summary>of the angle</summary>
 		public float Cosine;
+		/// <summary>of the angle</summary>
 		public float Sine;
 	}
 
@@ -100,7 +105,9 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct Aabb
 	{
+		/// <summary>left and bottom</summary>
 		public Vec2 LowerM;
+		/// <summary>right and top</summary>
 		public Vec2 UpperM;
 	}
 
@@ -108,6 +115,7 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct MassData
 	{
+		/// <summary>of all shapes, or as set</summary>
 		public float MassKg;
 		/// <summary>about the centre of mass</summary>
 		public float InertiaKgm2;
@@ -119,6 +127,7 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct WorldDef
 	{
+		/// <summary>set by the init function</summary>
 		public uint StructSize;
 		/// <summary>CN_WORLD_*; default SLEEP | WARM_START | CONTINUOUS</summary>
 		public uint Flags;
@@ -135,7 +144,7 @@ namespace Cairn
 		/// <summary>CN_SOLVER_AUTO aims at errors below this, &gt;= 0; CN_DEFAULT (default): 0.005 x length unit</summary>
 		public float AccuracyM;
 		/// <summary>limit of direct solving in a step, in factored blocks (joints, contacts and their fill), substeps
-		/// included, about 10 ns each; 0 to 1e9; default 0: the limits of single islands only</summary>
+		/// included, about 10 ns each; 1 to 1e9; CN_DEFAULT (default): the limits of single islands only</summary>
 		public int WorkBudget;
 		/// <summary>slower impacts do not bounce, &gt;= 0; CN_DEFAULT (default): 1 x length unit</summary>
 		public float RestitutionThresholdMps;
@@ -157,6 +166,7 @@ namespace Cairn
 		public int ContactCapacity;
 		/// <summary>counts constraints too</summary>
 		public int JointCapacity;
+		/// <summary>a number for the user; default 0</summary>
 		public ulong UserData;
 		/// <summary>size of memory; 0: use alloc and free</summary>
 		public ulong MemoryBytes;
@@ -174,8 +184,8 @@ namespace Cairn
 		internal IntPtr Finish;
 		/// <summary>last argument of enqueue and finish</summary>
 		internal IntPtr TaskUser;
-		/// <summary>threads that share a step, including the calling one; 0 to CN_WORKERS_MAX; default 0, the same as 1: no
-		/// threads, no tasks</summary>
+		/// <summary>threads that share a step, including the calling one; 1 to CN_WORKERS_MAX; default 1: no threads, no
+		/// tasks</summary>
 		public int WorkerCount;
 		/// <summary>blows at least this fast are reported by CN_EVENT_HIT, &gt;= 0; CN_DEFAULT (default): 1 x length unit</summary>
 		public float HitSpeedMps;
@@ -330,6 +340,7 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct BodyDef
 	{
+		/// <summary>set by the init function</summary>
 		public uint StructSize;
 		/// <summary>CN_BODY_STATIC, _KINEMATIC, _DYNAMIC; default dynamic</summary>
 		public int Type;
@@ -353,6 +364,7 @@ namespace Cairn
 		public uint Flags;
 		/// <summary>as in cn_body_set_solver; default CN_SOLVER_AUTO</summary>
 		public int Solver;
+		/// <summary>a number for the user; default 0</summary>
 		public ulong UserData;
 		/// <summary>NULL, or at most CN_NAME_MAX_BYTES bytes of text, copied</summary>
 		internal IntPtr Name;
@@ -394,6 +406,7 @@ namespace Cairn
 		public ulong Mask;
 		/// <summary>default 0</summary>
 		public int Group;
+		/// <summary>0</summary>
 		public uint Reserved;
 	}
 
@@ -423,6 +436,7 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct ShapeDef
 	{
+		/// <summary>set by the init function</summary>
 		public uint StructSize;
 		/// <summary>0: create unattached, for cn_shape_attach</summary>
 		public Body Body;
@@ -440,6 +454,7 @@ namespace Cairn
 		public uint EventMask;
 		/// <summary>CN_SHAPE_SENSOR ...; default 0</summary>
 		public uint Flags;
+		/// <summary>a number for the user; default 0</summary>
 		public ulong UserData;
 
 		/// <summary>The defaults of the fields.</summary>
@@ -458,7 +473,9 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct Circle
 	{
+		/// <summary>in the body's frame</summary>
 		public Vec2 CenterM;
+		/// <summary>&gt; 0</summary>
 		public float RadiusM;
 	}
 
@@ -466,8 +483,11 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct Capsule
 	{
+		/// <summary>one end of the segment, in the body's frame</summary>
 		public Vec2 AM;
+		/// <summary>the other end</summary>
 		public Vec2 BM;
+		/// <summary>around the segment, &gt; 0</summary>
 		public float RadiusM;
 	}
 
@@ -475,7 +495,9 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct Edge
 	{
+		/// <summary>one end, in the body's frame</summary>
 		public Vec2 AM;
+		/// <summary>the other end</summary>
 		public Vec2 BM;
 	}
 
@@ -487,6 +509,7 @@ namespace Cairn
 		public int Count;
 		/// <summary>rounding added outside the points, &gt;= 0</summary>
 		public float RadiusM;
+		/// <summary>the first count of them; in the body's frame</summary>
 		public Vec2Array16 PointsM;
 	}
 
@@ -536,9 +559,13 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct ContactEvent
 	{
+		/// <summary>one shape of the pair</summary>
 		public Shape ShapeA;
+		/// <summary>the other</summary>
 		public Shape ShapeB;
+		/// <summary>of shape_a</summary>
 		public Body BodyA;
+		/// <summary>of shape_b</summary>
 		public Body BodyB;
 		/// <summary>edge number within a chain, else 0</summary>
 		public int ChildA;
@@ -562,6 +589,7 @@ namespace Cairn
 		public Vec2 HitPointM;
 		/// <summary>cn_material.user_id of the shapes; 0 for CREATED, LEAVE and DESTROYED</summary>
 		public uint MaterialA;
+		/// <summary>the same of shape_b</summary>
 		public uint MaterialB;
 	}
 
@@ -569,12 +597,17 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct SensorEvent
 	{
+		/// <summary>the sensor</summary>
 		public Shape Sensor;
+		/// <summary>the shape that it met</summary>
 		public Shape Visitor;
+		/// <summary>the sensor's body</summary>
 		public Body SensorBody;
+		/// <summary>the visitor's body</summary>
 		public Body VisitorBody;
 		/// <summary>CN_EVENT_ENTER or CN_EVENT_LEAVE</summary>
 		public int Kind;
+		/// <summary>0</summary>
 		public uint Reserved;
 	}
 
@@ -595,18 +628,20 @@ namespace Cairn
 		public Vec2 AnchorAM;
 		/// <summary>the same for body b</summary>
 		public Vec2 AnchorBM;
-		/// <summary>of the rigid parts, 0 to 1e6; 0 (default): as stiff as the substeps permit</summary>
+		/// <summary>of the rigid parts, &gt; 0, to 1e6; CN_DEFAULT (default): as stiff as the substeps permit</summary>
 		public float StiffnessHertz;
-		/// <summary>used when stiffness_hertz &gt; 0; 0 to 1e6</summary>
+		/// <summary>used with a stiffness_hertz; 0 to 1e6, default 0</summary>
 		public float StiffnessDampingRatio;
-		/// <summary>greatest force of anchors, axes and limits, &gt;= 0; 0 (default): unbounded</summary>
+		/// <summary>greatest force of anchors, axes and limits, &gt; 0; CN_DEFAULT (default): unbounded</summary>
 		public float ForceMaxN;
-		/// <summary>greatest torque of angles, &gt;= 0; 0 (default): unbounded</summary>
+		/// <summary>greatest torque of angles, &gt; 0; CN_DEFAULT (default): unbounded</summary>
 		public float TorqueMaxNm;
-		/// <summary>a reaction above this in any substep is reported (cn_world_joint_events); 0 (default): never</summary>
+		/// <summary>a reaction above this in any substep is reported (cn_world_joint_events), &gt; 0; CN_DEFAULT (default):
+		/// never</summary>
 		public float BreakForceN;
 		/// <summary>the same for the torque</summary>
 		public float BreakTorqueNm;
+		/// <summary>a number for the user; default 0</summary>
 		public ulong UserData;
 	}
 
@@ -614,10 +649,13 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct RevoluteDef
 	{
+		/// <summary>what every joint has</summary>
 		public JointBase Base;
+		/// <summary>angle b - angle a at joint angle 0</summary>
 		public float ReferenceAngleRad;
 		/// <summary>CN_JOINT_LIMIT: -pi &lt;= lower &lt;= upper &lt;= pi</summary>
 		public float LowerAngleRad;
+		/// <summary>the upper limit</summary>
 		public float UpperAngleRad;
 		/// <summary>CN_JOINT_MOTOR</summary>
 		public float MotorSpeedRadps;
@@ -648,11 +686,13 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct DistanceDef
 	{
+		/// <summary>what every joint has</summary>
 		public JointBase Base;
 		/// <summary>&gt; 0; default 1</summary>
 		public float LengthM;
 		/// <summary>CN_JOINT_LIMIT: 0 &lt;= min &lt;= max; default 0 and 1</summary>
 		public float LengthMinM;
+		/// <summary>the upper limit</summary>
 		public float LengthMaxM;
 		/// <summary>CN_JOINT_MOTOR: along the axis, positive lengthens; with spring or limit only</summary>
 		public float MotorSpeedMps;
@@ -662,6 +702,7 @@ namespace Cairn
 		public float SpringHertz;
 		/// <summary>0 to 1e6</summary>
 		public float SpringDampingRatio;
+		/// <summary>0</summary>
 		public float Reserved;
 
 		/// <summary>The defaults of the fields.</summary>
@@ -680,13 +721,15 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct FixedDef
 	{
+		/// <summary>what every joint has</summary>
 		public JointBase Base;
 		/// <summary>angle b - angle a</summary>
 		public float ReferenceAngleRad;
-		/// <summary>stiffness of the angle alone, 0 to 1e6; 0: the base's</summary>
+		/// <summary>stiffness of the angle alone, &gt; 0, to 1e6; CN_DEFAULT (default): the base's</summary>
 		public float AngularHertz;
 		/// <summary>0 to 1e6</summary>
 		public float AngularDampingRatio;
+		/// <summary>0</summary>
 		public float Reserved;
 
 		/// <summary>The defaults of the fields.</summary>
@@ -705,6 +748,7 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct PrismaticDef
 	{
+		/// <summary>what every joint has</summary>
 		public JointBase Base;
 		/// <summary>in body a's frame, any length &gt; 0 (read back with length 1); default (1, 0)</summary>
 		public Vec2 Axis;
@@ -712,6 +756,7 @@ namespace Cairn
 		public float ReferenceAngleRad;
 		/// <summary>CN_JOINT_LIMIT: lower &lt;= upper</summary>
 		public float LowerM;
+		/// <summary>the upper limit</summary>
 		public float UpperM;
 		/// <summary>CN_JOINT_MOTOR</summary>
 		public float MotorSpeedMps;
@@ -741,11 +786,13 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct WheelDef
 	{
+		/// <summary>what every joint has</summary>
 		public JointBase Base;
 		/// <summary>in body a's frame, any length &gt; 0 (read back with length 1); default (0, 1)</summary>
 		public Vec2 Axis;
 		/// <summary>CN_JOINT_LIMIT: lower &lt;= upper</summary>
 		public float LowerM;
+		/// <summary>the upper limit</summary>
 		public float UpperM;
 		/// <summary>CN_JOINT_MOTOR</summary>
 		public float MotorSpeedRadps;
@@ -783,6 +830,7 @@ namespace Cairn
 		public float Hertz;
 		/// <summary>0 to 1e6, default 1</summary>
 		public float DampingRatio;
+		/// <summary>0</summary>
 		public float Reserved;
 
 		/// <summary>The defaults of the fields.</summary>
@@ -802,7 +850,9 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct MouseDef
 	{
+		/// <summary>what every joint has</summary>
 		public JointBase Base;
+		/// <summary>world</summary>
 		public Vec2 TargetM;
 		/// <summary>&gt; 0, to 1e6; default 5</summary>
 		public float Hertz;
@@ -826,6 +876,7 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct GearDef
 	{
+		/// <summary>what every joint has</summary>
 		public JointBase Base;
 		/// <summary>size 1e-4 to 1e4, negative: they turn against each other; default 1</summary>
 		public float Ratio;
@@ -849,6 +900,7 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct PulleyDef
 	{
+		/// <summary>what every joint has</summary>
 		public JointBase Base;
 		/// <summary>world</summary>
 		public Vec2 GroundAM;
@@ -876,6 +928,7 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct RatchetDef
 	{
+		/// <summary>what every joint has</summary>
 		public JointBase Base;
 		/// <summary>default 0</summary>
 		public float PhaseRad;
@@ -899,6 +952,7 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct RotarySpringDef
 	{
+		/// <summary>what every joint has</summary>
 		public JointBase Base;
 		/// <summary>default 0</summary>
 		public float RestAngleRad;
@@ -906,6 +960,7 @@ namespace Cairn
 		public float Hertz;
 		/// <summary>0 to 1e6, default 0</summary>
 		public float DampingRatio;
+		/// <summary>0</summary>
 		public float Reserved;
 
 		/// <summary>The defaults of the fields.</summary>
@@ -924,6 +979,7 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct GrooveDef
 	{
+		/// <summary>what every joint has</summary>
 		public JointBase Base;
 		/// <summary>in body a's frame; not equal to anchor a; default (1, 0)</summary>
 		public Vec2 EndM;
@@ -944,6 +1000,7 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct FilterJointDef
 	{
+		/// <summary>what every joint has</summary>
 		public JointBase Base;
 
 		/// <summary>The defaults of the fields.</summary>
@@ -976,7 +1033,9 @@ namespace Cairn
 		public float TorqueNm;
 		/// <summary>1: it broke, or one of its bodies was destroyed</summary>
 		public uint Destroyed;
+		/// <summary>0</summary>
 		public uint Reserved;
+		/// <summary>the joint's or constraint's</summary>
 		public ulong UserData;
 	}
 
@@ -985,6 +1044,7 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct AngleConstraintDef
 	{
+		/// <summary>set by the init function</summary>
 		public uint StructSize;
 		/// <summary>CN_CONSTRAINT_*; default 0</summary>
 		public uint Flags;
@@ -992,13 +1052,15 @@ namespace Cairn
 		public Body Body;
 		/// <summary>lower &lt;= upper; equal: locked</summary>
 		public float LowerRad;
+		/// <summary>the upper limit</summary>
 		public float UpperRad;
-		/// <summary>0 (default): rigid; to 1e6</summary>
+		/// <summary>&gt; 0, to 1e6; CN_DEFAULT (default): rigid</summary>
 		public float Hertz;
-		/// <summary>used when hertz &gt; 0; 0 to 1e6</summary>
+		/// <summary>used with a hertz; 0 to 1e6</summary>
 		public float DampingRatio;
-		/// <summary>a reaction above this is reported (cn_world_joint_events); 0: never</summary>
+		/// <summary>a reaction above this is reported (cn_world_joint_events), &gt; 0; CN_DEFAULT (default): never</summary>
 		public float BreakTorqueNm;
+		/// <summary>a number for the user; default 0</summary>
 		public ulong UserData;
 
 		/// <summary>The defaults of the fields.</summary>
@@ -1018,6 +1080,7 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct LineConstraintDef
 	{
+		/// <summary>set by the init function</summary>
 		public uint StructSize;
 		/// <summary>CN_CONSTRAINT_*; default 0</summary>
 		public uint Flags;
@@ -1033,14 +1096,17 @@ namespace Cairn
 		public float ToleranceM;
 		/// <summary>CN_CONSTRAINT_LIMIT: along the axis from origin; lower &lt;= upper</summary>
 		public float LowerM;
+		/// <summary>the upper limit</summary>
 		public float UpperM;
-		/// <summary>0 (default): rigid; to 1e6</summary>
+		/// <summary>&gt; 0, to 1e6; CN_DEFAULT (default): rigid</summary>
 		public float Hertz;
-		/// <summary>used when hertz &gt; 0; 0 to 1e6</summary>
+		/// <summary>used with a hertz; 0 to 1e6</summary>
 		public float DampingRatio;
-		/// <summary>a reaction above this is reported (cn_world_joint_events); 0: never</summary>
+		/// <summary>a reaction above this is reported (cn_world_joint_events), &gt; 0; CN_DEFAULT (default): never</summary>
 		public float BreakForceN;
+		/// <summary>0</summary>
 		public uint Reserved;
+		/// <summary>a number for the user; default 0</summary>
 		public ulong UserData;
 
 		/// <summary>The defaults of the fields.</summary>
@@ -1087,6 +1153,7 @@ namespace Cairn
 	{
 		/// <summary>0: nothing was hit</summary>
 		public Shape Shape;
+		/// <summary>the shape's</summary>
 		public Body Body;
 		/// <summary>edge of a chain</summary>
 		public int Child;
@@ -1098,6 +1165,7 @@ namespace Cairn
 		public Vec2 Normal;
 		/// <summary>depth of the start inside it, 0 outside</summary>
 		public float DepthM;
+		/// <summary>0</summary>
 		public uint Reserved;
 	}
 
@@ -1117,6 +1185,7 @@ namespace Cairn
 		public uint Flags;
 		/// <summary>NULL (default): take all shapes</summary>
 		internal IntPtr Visit;
+		/// <summary>last argument of visit</summary>
 		internal IntPtr User;
 
 		/// <summary>The defaults of the fields.</summary>
@@ -1137,7 +1206,9 @@ namespace Cairn
 	{
 		/// <summary>0: nothing within the distance</summary>
 		public Shape Shape;
+		/// <summary>the shape's</summary>
 		public Body Body;
+		/// <summary>edge of a chain</summary>
 		public int Child;
 		/// <summary>negative: depth inside a shape with area</summary>
 		public float DistanceM;
@@ -1159,6 +1230,7 @@ namespace Cairn
 		public Vec2 Normal;
 		/// <summary>of the surfaces; negative: the depth, the shortest translation of b out of a</summary>
 		public float DistanceM;
+		/// <summary>0</summary>
 		public uint Reserved;
 	}
 
@@ -1167,6 +1239,7 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct Sweep
 	{
+		/// <summary>of the shape, before the motion</summary>
 		public Pose Start;
 		/// <summary>that point, in the shape's frame: the centre of mass of a body</summary>
 		public Vec2 CenterM;
@@ -1174,6 +1247,7 @@ namespace Cairn
 		public Vec2 TranslationM;
 		/// <summary>counter-clockwise, |turn| &lt;= 1e4</summary>
 		public float TurnRad;
+		/// <summary>0</summary>
 		public uint Reserved;
 	}
 
@@ -1183,6 +1257,7 @@ namespace Cairn
 	{
 		/// <summary>CN_IMPACT_*</summary>
 		public int State;
+		/// <summary>of both motions, [0, 1]</summary>
 		public float Fraction;
 		/// <summary>HIT only, as are the next two: between the surfaces</summary>
 		public Vec2 PointM;
@@ -1190,6 +1265,7 @@ namespace Cairn
 		public Vec2 Normal;
 		/// <summary>of the surfaces at fraction: distance_m to 0.1 mm (or the resolution of floats) above it</summary>
 		public float DistanceM;
+		/// <summary>0</summary>
 		public uint Reserved;
 	}
 
@@ -1208,7 +1284,9 @@ namespace Cairn
 		public float PushMaxM;
 		/// <summary>its push in the last cn_mover_solve</summary>
 		public float PushM;
+		/// <summary>whose surface it is</summary>
 		public Shape Shape;
+		/// <summary>the shape's</summary>
 		public Body Body;
 		/// <summary>edge of a chain</summary>
 		public int Child;
@@ -1218,6 +1296,7 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct MoverDef
 	{
+		/// <summary>set by the init function</summary>
 		public uint StructSize;
 		/// <summary>CN_MOVER_DROP; default 0</summary>
 		public uint Flags;
@@ -1260,6 +1339,7 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct Mover
 	{
+		/// <summary>of the shape's origin, world</summary>
 		public Vec2 PositionM;
 		/// <summary>in the air: of the world. On the ground: walking speed along the ground, relative to the ground, as its
 		/// component across up; the one along up is 0, and a jump when the caller makes it &gt; 0</summary>
@@ -1274,6 +1354,7 @@ namespace Cairn
 		public Vec2 GroundVelocityMps;
 		/// <summary>0: none; a stale handle counts as none</summary>
 		public Body GroundBody;
+		/// <summary>the same for its shape</summary>
 		public Shape GroundShape;
 		/// <summary>CN_MOVER_ON_*, after the last move</summary>
 		public uint Flags;
@@ -1287,6 +1368,7 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct AreaDef
 	{
+		/// <summary>set by the init function</summary>
 		public uint StructSize;
 		/// <summary>CN_AREA_REPLACE; default 0</summary>
 		public uint Flags;
@@ -1298,8 +1380,8 @@ namespace Cairn
 		public Vec2 CenterM;
 		/// <summary>acceleration towards center_m; negative pushes; default 0</summary>
 		public float PullMps2;
-		/// <summary>0 (default): pull_mps2 at every distance; to 1e6 length units: at this distance, with its inverse square
-		/// outside, and falling to 0 at the centre: a homogeneous planet</summary>
+		/// <summary>CN_DEFAULT (default): pull_mps2 at every distance; &gt; 0, to 1e6 length units: at this distance, with
+		/// its inverse square outside, and falling to 0 at the centre: a homogeneous planet</summary>
 		public float PullDistanceM;
 		/// <summary>of the velocity relative to flow_mps, added to the body's own; of the displaced mass in a medium with
 		/// density (which is the body's mass where it floats), else of the body's; 0 to 1e9, default 0</summary>
@@ -1331,6 +1413,7 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct ExplosionDef
 	{
+		/// <summary>set by the init function</summary>
 		public uint StructSize;
 		/// <summary>full strength up to this distance of a shape's nearest point, 0 to 1e6 length units; default 1</summary>
 		public float RadiusM;
@@ -1360,6 +1443,7 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct DebugDraw
 	{
+		/// <summary>set by the init function</summary>
 		public uint StructSize;
 		/// <summary>CN_DRAW_*; default SHAPES | JOINTS | CONTACTS</summary>
 		public uint Flags;
@@ -1379,6 +1463,7 @@ namespace Cairn
 		internal IntPtr Text;
 		/// <summary>last argument of the functions</summary>
 		internal IntPtr User;
+		/// <summary>0</summary>
 		internal IntPtr Reserved;
 
 		/// <summary>The defaults of the fields.</summary>
@@ -1574,15 +1659,15 @@ namespace Cairn
 			return out0;
 		}
 
-		/// <summary>Sets accuracy_m and work_budget as in cn_world_def: metres &gt;= 0, or CN_DEFAULT; 0 to 1e9, 0 for no
-		/// limit.</summary>
+		/// <summary>Sets accuracy_m and work_budget as in cn_world_def: metres &gt;= 0 and 1 to 1e9, or CN_DEFAULT.</summary>
 		public void SetAccuracy(float accuracyM, int workBudget)
 		{
 			Call.Check(Native.cn_world_set_accuracy(Pointer, accuracyM, workBudget), Pointer);
 			GC.KeepAlive(this);
 		}
 
-		/// <summary>Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget.</summary>
+		/// <summary>Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget
+		/// (CN_DEFAULT: none).</summary>
 		public (float AccuracyM, int WorkBudget) GetAccuracy()
 		{
 			float out0;

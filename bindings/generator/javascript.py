@@ -70,7 +70,7 @@ export class CairnError extends Error {
 	readonly code: number;
 }
 /** A struct going in: fields that are not given have their defaults. */
-export type In<T> = T extends object ? (T extends { readonly __handle: unknown } ? T : { [K in keyof T]?: In<T[K]> }) : T;
+export type In<T> = T extends number ? T : T extends object ? { [K in keyof T]?: In<T[K]> } : T;
 
 """
 

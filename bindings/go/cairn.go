@@ -217,7 +217,9 @@ type Constraint uint32
 
 // Vec2: A point, vector or pair of numbers.
 type Vec2 struct {
+	// to the right
 	X float32
+	// upwards
 	Y float32
 }
 
@@ -226,8 +228,11 @@ var _ [unsafe.Sizeof(Vec2{})]byte = [C.sizeof_cn_vec2]byte{}
 // Pose: Position of a body's origin and its rotation as (cosine, sine). 16 bytes: an array of poses can be
 // uploaded to a GPU directly.
 type Pose struct {
+	// of the body's origin
 	PositionM Vec2
+	// of the angle
 	Cosine float32
+	// of the angle
 	Sine float32
 }
 
@@ -245,7 +250,9 @@ var _ [unsafe.Sizeof(Velocity{})]byte = [C.sizeof_cn_velocity]byte{}
 
 // Aabb: Axis-aligned bounding box, lower_m <= upper_m.
 type Aabb struct {
+	// left and bottom
 	LowerM Vec2
+	// right and top
 	UpperM Vec2
 }
 
@@ -253,6 +260,7 @@ var _ [unsafe.Sizeof(Aabb{})]byte = [C.sizeof_cn_aabb]byte{}
 
 // MassData: Mass, inertia and centre of mass.
 type MassData struct {
+	// of all shapes, or as set
 	MassKg float32
 	// about the centre of mass
 	InertiaKgm2 float32
@@ -264,6 +272,7 @@ var _ [unsafe.Sizeof(MassData{})]byte = [C.sizeof_cn_mass_data]byte{}
 
 // WorldDef: Definition of a world.
 type WorldDef struct {
+	// set by the init function
 	StructSize uint32
 	// CN_WORLD_*; default SLEEP | WARM_START | CONTINUOUS
 	Flags uint32
@@ -280,7 +289,7 @@ type WorldDef struct {
 	// CN_SOLVER_AUTO aims at errors below this, >= 0; CN_DEFAULT (default): 0.005 x length unit
 	AccuracyM float32
 	// limit of direct solving in a step, in factored blocks (joints, contacts and their fill), substeps
-	// included, about 10 ns each; 0 to 1e9; default 0: the limits of single islands only
+	// included, about 10 ns each; 1 to 1e9; CN_DEFAULT (default): the limits of single islands only
 	WorkBudget int32
 	// slower impacts do not bounce, >= 0; CN_DEFAULT (default): 1 x length unit
 	RestitutionThresholdMps float32
@@ -302,6 +311,7 @@ type WorldDef struct {
 	ContactCapacity int32
 	// counts constraints too
 	JointCapacity int32
+	// a number for the user; default 0
 	UserData uint64
 	// size of memory; 0: use alloc and free
 	MemoryBytes uint64
@@ -319,8 +329,7 @@ type WorldDef struct {
 	c_finish unsafe.Pointer
 	// last argument of enqueue and finish
 	c_task_user unsafe.Pointer
-	// threads that share a step, including the calling one; 0 to CN_WORKERS_MAX; default 0, the same as 1: no
-	// threads, no tasks
+	// threads that share a step, including the calling one; 1 to CN_WORKERS_MAX; default 1: no threads, no tasks
 	WorkerCount int32
 	// blows at least this fast are reported by CN_EVENT_HIT, >= 0; CN_DEFAULT (default): 1 x length unit
 	HitSpeedMps float32
@@ -471,6 +480,7 @@ var _ [unsafe.Sizeof(MemoryStats{})]byte = [C.sizeof_cn_memory_stats]byte{}
 
 // BodyDef: Definition of a body.
 type BodyDef struct {
+	// set by the init function
 	StructSize uint32
 	// CN_BODY_STATIC, _KINEMATIC, _DYNAMIC; default dynamic
 	Type int32
@@ -494,6 +504,7 @@ type BodyDef struct {
 	Flags uint32
 	// as in cn_body_set_solver; default CN_SOLVER_AUTO
 	Solver int32
+	// a number for the user; default 0
 	UserData uint64
 	// NULL, or at most CN_NAME_MAX_BYTES bytes of text, copied
 	c_name unsafe.Pointer
@@ -531,6 +542,7 @@ type Filter struct {
 	Mask uint64
 	// default 0
 	Group int32
+	// 0
 	Reserved uint32
 }
 
@@ -560,6 +572,7 @@ var _ [unsafe.Sizeof(Material{})]byte = [C.sizeof_cn_material]byte{}
 
 // ShapeDef: Definition of a shape.
 type ShapeDef struct {
+	// set by the init function
 	StructSize uint32
 	// 0: create unattached, for cn_shape_attach
 	Body Body
@@ -577,6 +590,7 @@ type ShapeDef struct {
 	EventMask uint32
 	// CN_SHAPE_SENSOR ...; default 0
 	Flags uint32
+	// a number for the user; default 0
 	UserData uint64
 }
 
@@ -591,7 +605,9 @@ func DefaultShapeDef() ShapeDef {
 
 // Circle: A disc.
 type Circle struct {
+	// in the body's frame
 	CenterM Vec2
+	// > 0
 	RadiusM float32
 }
 
@@ -599,8 +615,11 @@ var _ [unsafe.Sizeof(Circle{})]byte = [C.sizeof_cn_circle]byte{}
 
 // Capsule: All points within radius_m of the segment.
 type Capsule struct {
+	// one end of the segment, in the body's frame
 	AM Vec2
+	// the other end
 	BM Vec2
+	// around the segment, > 0
 	RadiusM float32
 }
 
@@ -608,7 +627,9 @@ var _ [unsafe.Sizeof(Capsule{})]byte = [C.sizeof_cn_capsule]byte{}
 
 // Edge: A two-sided segment without mass.
 type Edge struct {
+	// one end, in the body's frame
 	AM Vec2
+	// the other end
 	BM Vec2
 }
 
@@ -620,6 +641,7 @@ type Polygon struct {
 	Count int32
 	// rounding added outside the points, >= 0
 	RadiusM float32
+	// the first count of them; in the body's frame
 	PointsM [16]Vec2
 }
 
@@ -669,9 +691,13 @@ var _ [unsafe.Sizeof(Manifold{})]byte = [C.sizeof_cn_manifold]byte{}
 
 // ContactEvent: A contact event, or the present state of a contact.
 type ContactEvent struct {
+	// one shape of the pair
 	ShapeA Shape
+	// the other
 	ShapeB Shape
+	// of shape_a
 	BodyA Body
+	// of shape_b
 	BodyB Body
 	// edge number within a chain, else 0
 	ChildA int32
@@ -695,6 +721,7 @@ type ContactEvent struct {
 	HitPointM Vec2
 	// cn_material.user_id of the shapes; 0 for CREATED, LEAVE and DESTROYED
 	MaterialA uint32
+	// the same of shape_b
 	MaterialB uint32
 }
 
@@ -702,12 +729,17 @@ var _ [unsafe.Sizeof(ContactEvent{})]byte = [C.sizeof_cn_contact_event]byte{}
 
 // SensorEvent: A shape entered or left a sensor.
 type SensorEvent struct {
+	// the sensor
 	Sensor Shape
+	// the shape that it met
 	Visitor Shape
+	// the sensor's body
 	SensorBody Body
+	// the visitor's body
 	VisitorBody Body
 	// CN_EVENT_ENTER or CN_EVENT_LEAVE
 	Kind int32
+	// 0
 	Reserved uint32
 }
 
@@ -728,18 +760,19 @@ type JointBase struct {
 	AnchorAM Vec2
 	// the same for body b
 	AnchorBM Vec2
-	// of the rigid parts, 0 to 1e6; 0 (default): as stiff as the substeps permit
+	// of the rigid parts, > 0, to 1e6; CN_DEFAULT (default): as stiff as the substeps permit
 	StiffnessHertz float32
-	// used when stiffness_hertz > 0; 0 to 1e6
+	// used with a stiffness_hertz; 0 to 1e6, default 0
 	StiffnessDampingRatio float32
-	// greatest force of anchors, axes and limits, >= 0; 0 (default): unbounded
+	// greatest force of anchors, axes and limits, > 0; CN_DEFAULT (default): unbounded
 	ForceMaxN float32
-	// greatest torque of angles, >= 0; 0 (default): unbounded
+	// greatest torque of angles, > 0; CN_DEFAULT (default): unbounded
 	TorqueMaxNm float32
-	// a reaction above this in any substep is reported (cn_world_joint_events); 0 (default): never
+	// a reaction above this in any substep is reported (cn_world_joint_events), > 0; CN_DEFAULT (default): never
 	BreakForceN float32
 	// the same for the torque
 	BreakTorqueNm float32
+	// a number for the user; default 0
 	UserData uint64
 }
 
@@ -747,10 +780,13 @@ var _ [unsafe.Sizeof(JointBase{})]byte = [C.sizeof_cn_joint_base]byte{}
 
 // RevoluteDef: Two bodies share a point. The joint angle is angle b - angle a - reference, in (-pi, pi].
 type RevoluteDef struct {
+	// what every joint has
 	Base JointBase
+	// angle b - angle a at joint angle 0
 	ReferenceAngleRad float32
 	// CN_JOINT_LIMIT: -pi <= lower <= upper <= pi
 	LowerAngleRad float32
+	// the upper limit
 	UpperAngleRad float32
 	// CN_JOINT_MOTOR
 	MotorSpeedRadps float32
@@ -777,11 +813,13 @@ func DefaultRevoluteDef() RevoluteDef {
 // rod of length_m. With a spring, length_m is its rest length, and limits keep the distance within [min,
 // max]; limits alone make a rope (min 0).
 type DistanceDef struct {
+	// what every joint has
 	Base JointBase
 	// > 0; default 1
 	LengthM float32
 	// CN_JOINT_LIMIT: 0 <= min <= max; default 0 and 1
 	LengthMinM float32
+	// the upper limit
 	LengthMaxM float32
 	// CN_JOINT_MOTOR: along the axis, positive lengthens; with spring or limit only
 	MotorSpeedMps float32
@@ -791,6 +829,7 @@ type DistanceDef struct {
 	SpringHertz float32
 	// 0 to 1e6
 	SpringDampingRatio float32
+	// 0
 	Reserved float32
 }
 
@@ -805,13 +844,15 @@ func DefaultDistanceDef() DistanceDef {
 
 // FixedDef: Two welded bodies: no relative motion. base.stiffness_hertz makes the weld springy.
 type FixedDef struct {
+	// what every joint has
 	Base JointBase
 	// angle b - angle a
 	ReferenceAngleRad float32
-	// stiffness of the angle alone, 0 to 1e6; 0: the base's
+	// stiffness of the angle alone, > 0, to 1e6; CN_DEFAULT (default): the base's
 	AngularHertz float32
 	// 0 to 1e6
 	AngularDampingRatio float32
+	// 0
 	Reserved float32
 }
 
@@ -827,6 +868,7 @@ func DefaultFixedDef() FixedDef {
 // PrismaticDef: b slides along an axis fixed in a, without turning. The translation is along the axis from
 // anchor a.
 type PrismaticDef struct {
+	// what every joint has
 	Base JointBase
 	// in body a's frame, any length > 0 (read back with length 1); default (1, 0)
 	Axis Vec2
@@ -834,6 +876,7 @@ type PrismaticDef struct {
 	ReferenceAngleRad float32
 	// CN_JOINT_LIMIT: lower <= upper
 	LowerM float32
+	// the upper limit
 	UpperM float32
 	// CN_JOINT_MOTOR
 	MotorSpeedMps float32
@@ -859,11 +902,13 @@ func DefaultPrismaticDef() PrismaticDef {
 // WheelDef: A wheel b on a suspension: b slides along an axis fixed in a, with spring and limits, and turns
 // freely or by the motor.
 type WheelDef struct {
+	// what every joint has
 	Base JointBase
 	// in body a's frame, any length > 0 (read back with length 1); default (0, 1)
 	Axis Vec2
 	// CN_JOINT_LIMIT: lower <= upper
 	LowerM float32
+	// the upper limit
 	UpperM float32
 	// CN_JOINT_MOTOR
 	MotorSpeedRadps float32
@@ -897,6 +942,7 @@ type MotorDef struct {
 	Hertz float32
 	// 0 to 1e6, default 1
 	DampingRatio float32
+	// 0
 	Reserved float32
 }
 
@@ -912,7 +958,9 @@ func DefaultMotorDef() MotorDef {
 // MouseDef: Drags anchor b of body b to a world point by a spring. body_a must be 0, anchor_a_m is ignored,
 // and base.force_max_N must be > 0.
 type MouseDef struct {
+	// what every joint has
 	Base JointBase
+	// world
 	TargetM Vec2
 	// > 0, to 1e6; default 5
 	Hertz float32
@@ -932,6 +980,7 @@ func DefaultMouseDef() MouseDef {
 // GearDef: angle b = ratio * angle a + phase. Angles begin in (-pi, pi] at creation (or when the ratio is
 // changed) and count whole turns from there.
 type GearDef struct {
+	// what every joint has
 	Base JointBase
 	// size 1e-4 to 1e4, negative: they turn against each other; default 1
 	Ratio float32
@@ -951,6 +1000,7 @@ func DefaultGearDef() GearDef {
 // PulleyDef: A rope over two pulleys: |anchor a - ground a| + ratio |anchor b - ground b| <= length. It pulls
 // and never pushes.
 type PulleyDef struct {
+	// what every joint has
 	Base JointBase
 	// world
 	GroundAM Vec2
@@ -974,6 +1024,7 @@ func DefaultPulleyDef() PulleyDef {
 // RatchetDef: b may turn against a in one direction, and back only to the last click that it passed. Clicks
 // lie at phase + n * click_rad for every whole number n, over whole turns.
 type RatchetDef struct {
+	// what every joint has
 	Base JointBase
 	// default 0
 	PhaseRad float32
@@ -993,6 +1044,7 @@ func DefaultRatchetDef() RatchetDef {
 // RotarySpringDef: A torque that pulls angle b - angle a to the rest angle, over whole turns. hertz refers to
 // the inertia of the two bodies.
 type RotarySpringDef struct {
+	// what every joint has
 	Base JointBase
 	// default 0
 	RestAngleRad float32
@@ -1000,6 +1052,7 @@ type RotarySpringDef struct {
 	Hertz float32
 	// 0 to 1e6, default 0
 	DampingRatio float32
+	// 0
 	Reserved float32
 }
 
@@ -1014,6 +1067,7 @@ func DefaultRotarySpringDef() RotarySpringDef {
 
 // GrooveDef: Anchor b slides in a slot of body a from anchor a to end_m.
 type GrooveDef struct {
+	// what every joint has
 	Base JointBase
 	// in body a's frame; not equal to anchor a; default (1, 0)
 	EndM Vec2
@@ -1030,6 +1084,7 @@ func DefaultGrooveDef() GrooveDef {
 
 // FilterJointDef: The two bodies do not collide; no other effect.
 type FilterJointDef struct {
+	// what every joint has
 	Base JointBase
 }
 
@@ -1058,7 +1113,9 @@ type JointEvent struct {
 	TorqueNm float32
 	// 1: it broke, or one of its bodies was destroyed
 	Destroyed uint32
+	// 0
 	Reserved uint32
+	// the joint's or constraint's
 	UserData uint64
 }
 
@@ -1067,6 +1124,7 @@ var _ [unsafe.Sizeof(JointEvent{})]byte = [C.sizeof_cn_joint_event]byte{}
 // AngleConstraintDef: Keeps a body's angle within limits. The angle begins in (-pi, pi] at creation and
 // counts whole turns from there.
 type AngleConstraintDef struct {
+	// set by the init function
 	StructSize uint32
 	// CN_CONSTRAINT_*; default 0
 	Flags uint32
@@ -1074,13 +1132,15 @@ type AngleConstraintDef struct {
 	Body Body
 	// lower <= upper; equal: locked
 	LowerRad float32
+	// the upper limit
 	UpperRad float32
-	// 0 (default): rigid; to 1e6
+	// > 0, to 1e6; CN_DEFAULT (default): rigid
 	Hertz float32
-	// used when hertz > 0; 0 to 1e6
+	// used with a hertz; 0 to 1e6
 	DampingRatio float32
-	// a reaction above this is reported (cn_world_joint_events); 0: never
+	// a reaction above this is reported (cn_world_joint_events), > 0; CN_DEFAULT (default): never
 	BreakTorqueNm float32
+	// a number for the user; default 0
 	UserData uint64
 }
 
@@ -1096,6 +1156,7 @@ func DefaultAngleConstraintDef() AngleConstraintDef {
 // LineConstraintDef: Keeps a point of a body on a line in the world, within a tolerance on both sides, and
 // between limits along the line.
 type LineConstraintDef struct {
+	// set by the init function
 	StructSize uint32
 	// CN_CONSTRAINT_*; default 0
 	Flags uint32
@@ -1111,14 +1172,17 @@ type LineConstraintDef struct {
 	ToleranceM float32
 	// CN_CONSTRAINT_LIMIT: along the axis from origin; lower <= upper
 	LowerM float32
+	// the upper limit
 	UpperM float32
-	// 0 (default): rigid; to 1e6
+	// > 0, to 1e6; CN_DEFAULT (default): rigid
 	Hertz float32
-	// used when hertz > 0; 0 to 1e6
+	// used with a hertz; 0 to 1e6
 	DampingRatio float32
-	// a reaction above this is reported (cn_world_joint_events); 0: never
+	// a reaction above this is reported (cn_world_joint_events), > 0; CN_DEFAULT (default): never
 	BreakForceN float32
+	// 0
 	Reserved uint32
+	// a number for the user; default 0
 	UserData uint64
 }
 
@@ -1161,6 +1225,7 @@ var _ [unsafe.Sizeof(Ray{})]byte = [C.sizeof_cn_ray]byte{}
 type RayHit struct {
 	// 0: nothing was hit
 	Shape Shape
+	// the shape's
 	Body Body
 	// edge of a chain
 	Child int32
@@ -1172,6 +1237,7 @@ type RayHit struct {
 	Normal Vec2
 	// depth of the start inside it, 0 outside
 	DepthM float32
+	// 0
 	Reserved uint32
 }
 
@@ -1191,6 +1257,7 @@ type QueryFilter struct {
 	Flags uint32
 	// NULL (default): take all shapes
 	c_visit unsafe.Pointer
+	// last argument of visit
 	c_user unsafe.Pointer
 }
 
@@ -1207,7 +1274,9 @@ func DefaultQueryFilter() QueryFilter {
 type Closest struct {
 	// 0: nothing within the distance
 	Shape Shape
+	// the shape's
 	Body Body
+	// edge of a chain
 	Child int32
 	// negative: depth inside a shape with area
 	DistanceM float32
@@ -1229,6 +1298,7 @@ type Distance struct {
 	Normal Vec2
 	// of the surfaces; negative: the depth, the shortest translation of b out of a
 	DistanceM float32
+	// 0
 	Reserved uint32
 }
 
@@ -1237,6 +1307,7 @@ var _ [unsafe.Sizeof(Distance{})]byte = [C.sizeof_cn_distance]byte{}
 // Sweep: A motion from fraction 0 to 1: a point of the shape moves in a straight line, and the shape turns
 // about it at a constant rate.
 type Sweep struct {
+	// of the shape, before the motion
 	Start Pose
 	// that point, in the shape's frame: the centre of mass of a body
 	CenterM Vec2
@@ -1244,6 +1315,7 @@ type Sweep struct {
 	TranslationM Vec2
 	// counter-clockwise, |turn| <= 1e4
 	TurnRad float32
+	// 0
 	Reserved uint32
 }
 
@@ -1253,6 +1325,7 @@ var _ [unsafe.Sizeof(Sweep{})]byte = [C.sizeof_cn_sweep]byte{}
 type Impact struct {
 	// CN_IMPACT_*
 	State int32
+	// of both motions, [0, 1]
 	Fraction float32
 	// HIT only, as are the next two: between the surfaces
 	PointM Vec2
@@ -1260,6 +1333,7 @@ type Impact struct {
 	Normal Vec2
 	// of the surfaces at fraction: distance_m to 0.1 mm (or the resolution of floats) above it
 	DistanceM float32
+	// 0
 	Reserved uint32
 }
 
@@ -1278,7 +1352,9 @@ type Plane struct {
 	PushMaxM float32
 	// its push in the last cn_mover_solve
 	PushM float32
+	// whose surface it is
 	Shape Shape
+	// the shape's
 	Body Body
 	// edge of a chain
 	Child int32
@@ -1288,6 +1364,7 @@ var _ [unsafe.Sizeof(Plane{})]byte = [C.sizeof_cn_plane]byte{}
 
 // MoverDef: How a character moves. It may change between moves: crouching is another shape.
 type MoverDef struct {
+	// set by the init function
 	StructSize uint32
 	// CN_MOVER_DROP; default 0
 	Flags uint32
@@ -1326,6 +1403,7 @@ func DefaultMoverDef() MoverDef {
 // is filter.ignored_body and follows by cn_body_set_target_pose. Initially all fields are 0 except the
 // position.
 type Mover struct {
+	// of the shape's origin, world
 	PositionM Vec2
 	// in the air: of the world. On the ground: walking speed along the ground, relative to the ground, as its
 	// component across up; the one along up is 0, and a jump when the caller makes it > 0
@@ -1340,6 +1418,7 @@ type Mover struct {
 	GroundVelocityMps Vec2
 	// 0: none; a stale handle counts as none
 	GroundBody Body
+	// the same for its shape
 	GroundShape Shape
 	// CN_MOVER_ON_*, after the last move
 	Flags uint32
@@ -1353,6 +1432,7 @@ var _ [unsafe.Sizeof(Mover{})]byte = [C.sizeof_cn_mover]byte{}
 // gravity. Several areas act in the order of their priority, equal ones in that of cn_world_get_shapes; their
 // accelerations, damping and forces add up.
 type AreaDef struct {
+	// set by the init function
 	StructSize uint32
 	// CN_AREA_REPLACE; default 0
 	Flags uint32
@@ -1364,8 +1444,8 @@ type AreaDef struct {
 	CenterM Vec2
 	// acceleration towards center_m; negative pushes; default 0
 	PullMps2 float32
-	// 0 (default): pull_mps2 at every distance; to 1e6 length units: at this distance, with its inverse square
-	// outside, and falling to 0 at the centre: a homogeneous planet
+	// CN_DEFAULT (default): pull_mps2 at every distance; > 0, to 1e6 length units: at this distance, with its
+	// inverse square outside, and falling to 0 at the centre: a homogeneous planet
 	PullDistanceM float32
 	// of the velocity relative to flow_mps, added to the body's own; of the displaced mass in a medium with
 	// density (which is the body's mass where it floats), else of the body's; 0 to 1e9, default 0
@@ -1393,6 +1473,7 @@ func DefaultAreaDef() AreaDef {
 
 // ExplosionDef: Definition of an explosion.
 type ExplosionDef struct {
+	// set by the init function
 	StructSize uint32
 	// full strength up to this distance of a shape's nearest point, 0 to 1e6 length units; default 1
 	RadiusM float32
@@ -1418,6 +1499,7 @@ func DefaultExplosionDef() ExplosionDef {
 // DebugDraw: The user's drawing functions; NULL ones are not called. Colours are 0xRRGGBB. Points are in
 // world coordinates.
 type DebugDraw struct {
+	// set by the init function
 	StructSize uint32
 	// CN_DRAW_*; default SHAPES | JOINTS | CONTACTS
 	Flags uint32
@@ -1437,6 +1519,7 @@ type DebugDraw struct {
 	c_text unsafe.Pointer
 	// last argument of the functions
 	c_user unsafe.Pointer
+	// 0
 	c_reserved unsafe.Pointer
 }
 
@@ -1507,15 +1590,14 @@ func (w *World) GetSolver() (int32, error) {
 	return out0, nil
 }
 
-// SetAccuracy: Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, or CN_DEFAULT; 0 to 1e9, 0
-// for no limit.
+// SetAccuracy: Sets accuracy_m and work_budget as in cn_world_def: metres >= 0 and 1 to 1e9, or CN_DEFAULT.
 func (w *World) SetAccuracy(accuracy_m float32, work_budget int32) error {
 	defer runtime.KeepAlive(w)
 	return w.check(C.cn_world_set_accuracy(w.c(), C.float(accuracy_m), C.int32_t(work_budget)))
 }
 
 // GetAccuracy: Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work
-// budget.
+// budget (CN_DEFAULT: none).
 func (w *World) GetAccuracy() (float32, int32, error) {
 	defer runtime.KeepAlive(w)
 	var out0 float32

@@ -7,7 +7,7 @@ export class CairnError extends Error {
 	readonly code: number;
 }
 /** A struct going in: fields that are not given have their defaults. */
-export type In<T> = T extends object ? (T extends { readonly __handle: unknown } ? T : { [K in keyof T]?: In<T[K]> }) : T;
+export type In<T> = T extends number ? T : T extends object ? { [K in keyof T]?: In<T[K]> } : T;
 
 export const CN_VERSION_MAJOR: 0;
 export const CN_VERSION_MINOR: 1;
@@ -211,15 +211,20 @@ export type Constraint = number & { readonly __handle: "cn_constraint" };
 
 /** A point, vector or pair of numbers. */
 export interface Vec2 {
+	/** to the right */
 	x: number;
+	/** upwards */
 	y: number;
 }
 
 /** Position of a body's origin and its rotation as (cosine, sine). 16 bytes: an array of poses can be
 uploaded to a GPU directly. */
 export interface Pose {
+	/** of the body's origin */
 	position_m: Vec2;
+	/** of the angle */
 	cosine: number;
+	/** of the angle */
 	sine: number;
 }
 
@@ -233,12 +238,15 @@ export interface Velocity {
 
 /** Axis-aligned bounding box, lower_m <= upper_m. */
 export interface Aabb {
+	/** left and bottom */
 	lower_m: Vec2;
+	/** right and top */
 	upper_m: Vec2;
 }
 
 /** Mass, inertia and centre of mass. */
 export interface MassData {
+	/** of all shapes, or as set */
 	mass_kg: number;
 	/** about the centre of mass */
 	inertia_kgm2: number;
@@ -248,6 +256,7 @@ export interface MassData {
 
 /** Definition of a world. */
 export interface WorldDef {
+	/** set by the init function */
 	struct_size: number;
 	/** CN_WORLD_*; default SLEEP | WARM_START | CONTINUOUS */
 	flags: number;
@@ -264,7 +273,7 @@ export interface WorldDef {
 	/** CN_SOLVER_AUTO aims at errors below this, >= 0; CN_DEFAULT (default): 0.005 x length unit */
 	accuracy_m: number;
 	/** limit of direct solving in a step, in factored blocks (joints, contacts and their fill), substeps
-	included, about 10 ns each; 0 to 1e9; default 0: the limits of single islands only */
+	included, about 10 ns each; 1 to 1e9; CN_DEFAULT (default): the limits of single islands only */
 	work_budget: number;
 	/** slower impacts do not bounce, >= 0; CN_DEFAULT (default): 1 x length unit */
 	restitution_threshold_mps: number;
@@ -286,11 +295,12 @@ export interface WorldDef {
 	contact_capacity: number;
 	/** counts constraints too */
 	joint_capacity: number;
+	/** a number for the user; default 0 */
 	user_data: bigint;
 	/** size of memory; 0: use alloc and free */
 	memory_bytes: bigint;
-	/** threads that share a step, including the calling one; 0 to CN_WORKERS_MAX; default 0, the same as 1: no
-	threads, no tasks */
+	/** threads that share a step, including the calling one; 1 to CN_WORKERS_MAX; default 1: no threads, no
+	tasks */
 	worker_count: number;
 	/** blows at least this fast are reported by CN_EVENT_HIT, >= 0; CN_DEFAULT (default): 1 x length unit */
 	hit_speed_mps: number;
@@ -424,6 +434,7 @@ export interface MemoryStats {
 
 /** Definition of a body. */
 export interface BodyDef {
+	/** set by the init function */
 	struct_size: number;
 	/** CN_BODY_STATIC, _KINEMATIC, _DYNAMIC; default dynamic */
 	type: number;
@@ -447,6 +458,7 @@ export interface BodyDef {
 	flags: number;
 	/** as in cn_body_set_solver; default CN_SOLVER_AUTO */
 	solver: number;
+	/** a number for the user; default 0 */
 	user_data: bigint;
 	/** NULL, or at most CN_NAME_MAX_BYTES bytes of text, copied */
 	name?: string;
@@ -473,6 +485,7 @@ export interface Filter {
 	mask: bigint;
 	/** default 0 */
 	group: number;
+	/** 0 */
 	reserved: number;
 }
 
@@ -498,6 +511,7 @@ export interface Material {
 
 /** Definition of a shape. */
 export interface ShapeDef {
+	/** set by the init function */
 	struct_size: number;
 	/** 0: create unattached, for cn_shape_attach */
 	body: Body;
@@ -515,25 +529,33 @@ export interface ShapeDef {
 	event_mask: number;
 	/** CN_SHAPE_SENSOR ...; default 0 */
 	flags: number;
+	/** a number for the user; default 0 */
 	user_data: bigint;
 }
 
 /** A disc. */
 export interface Circle {
+	/** in the body's frame */
 	center_m: Vec2;
+	/** > 0 */
 	radius_m: number;
 }
 
 /** All points within radius_m of the segment. */
 export interface Capsule {
+	/** one end of the segment, in the body's frame */
 	a_m: Vec2;
+	/** the other end */
 	b_m: Vec2;
+	/** around the segment, > 0 */
 	radius_m: number;
 }
 
 /** A two-sided segment without mass. */
 export interface Edge {
+	/** one end, in the body's frame */
 	a_m: Vec2;
+	/** the other end */
 	b_m: Vec2;
 }
 
@@ -543,6 +565,7 @@ export interface Polygon {
 	count: number;
 	/** rounding added outside the points, >= 0 */
 	radius_m: number;
+	/** the first count of them; in the body's frame */
 	points_m: Vec2[];
 }
 
@@ -584,9 +607,13 @@ export interface Manifold {
 
 /** A contact event, or the present state of a contact. */
 export interface ContactEvent {
+	/** one shape of the pair */
 	shape_a: Shape;
+	/** the other */
 	shape_b: Shape;
+	/** of shape_a */
 	body_a: Body;
+	/** of shape_b */
 	body_b: Body;
 	/** edge number within a chain, else 0 */
 	child_a: number;
@@ -610,17 +637,23 @@ export interface ContactEvent {
 	hit_point_m: Vec2;
 	/** cn_material.user_id of the shapes; 0 for CREATED, LEAVE and DESTROYED */
 	material_a: number;
+	/** the same of shape_b */
 	material_b: number;
 }
 
 /** A shape entered or left a sensor. */
 export interface SensorEvent {
+	/** the sensor */
 	sensor: Shape;
+	/** the shape that it met */
 	visitor: Shape;
+	/** the sensor's body */
 	sensor_body: Body;
+	/** the visitor's body */
 	visitor_body: Body;
 	/** CN_EVENT_ENTER or CN_EVENT_LEAVE */
 	kind: number;
+	/** 0 */
 	reserved: number;
 }
 
@@ -639,27 +672,32 @@ export interface JointBase {
 	anchor_a_m: Vec2;
 	/** the same for body b */
 	anchor_b_m: Vec2;
-	/** of the rigid parts, 0 to 1e6; 0 (default): as stiff as the substeps permit */
+	/** of the rigid parts, > 0, to 1e6; CN_DEFAULT (default): as stiff as the substeps permit */
 	stiffness_hertz: number;
-	/** used when stiffness_hertz > 0; 0 to 1e6 */
+	/** used with a stiffness_hertz; 0 to 1e6, default 0 */
 	stiffness_damping_ratio: number;
-	/** greatest force of anchors, axes and limits, >= 0; 0 (default): unbounded */
+	/** greatest force of anchors, axes and limits, > 0; CN_DEFAULT (default): unbounded */
 	force_max_N: number;
-	/** greatest torque of angles, >= 0; 0 (default): unbounded */
+	/** greatest torque of angles, > 0; CN_DEFAULT (default): unbounded */
 	torque_max_Nm: number;
-	/** a reaction above this in any substep is reported (cn_world_joint_events); 0 (default): never */
+	/** a reaction above this in any substep is reported (cn_world_joint_events), > 0; CN_DEFAULT (default):
+	never */
 	break_force_N: number;
 	/** the same for the torque */
 	break_torque_Nm: number;
+	/** a number for the user; default 0 */
 	user_data: bigint;
 }
 
 /** Two bodies share a point. The joint angle is angle b - angle a - reference, in (-pi, pi]. */
 export interface RevoluteDef {
+	/** what every joint has */
 	base: JointBase;
+	/** angle b - angle a at joint angle 0 */
 	reference_angle_rad: number;
 	/** CN_JOINT_LIMIT: -pi <= lower <= upper <= pi */
 	lower_angle_rad: number;
+	/** the upper limit */
 	upper_angle_rad: number;
 	/** CN_JOINT_MOTOR */
 	motor_speed_radps: number;
@@ -677,11 +715,13 @@ export interface RevoluteDef {
 length_m. With a spring, length_m is its rest length, and limits keep the distance within [min, max]; limits
 alone make a rope (min 0). */
 export interface DistanceDef {
+	/** what every joint has */
 	base: JointBase;
 	/** > 0; default 1 */
 	length_m: number;
 	/** CN_JOINT_LIMIT: 0 <= min <= max; default 0 and 1 */
 	length_min_m: number;
+	/** the upper limit */
 	length_max_m: number;
 	/** CN_JOINT_MOTOR: along the axis, positive lengthens; with spring or limit only */
 	motor_speed_mps: number;
@@ -691,23 +731,27 @@ export interface DistanceDef {
 	spring_hertz: number;
 	/** 0 to 1e6 */
 	spring_damping_ratio: number;
+	/** 0 */
 	reserved: number;
 }
 
 /** Two welded bodies: no relative motion. base.stiffness_hertz makes the weld springy. */
 export interface FixedDef {
+	/** what every joint has */
 	base: JointBase;
 	/** angle b - angle a */
 	reference_angle_rad: number;
-	/** stiffness of the angle alone, 0 to 1e6; 0: the base's */
+	/** stiffness of the angle alone, > 0, to 1e6; CN_DEFAULT (default): the base's */
 	angular_hertz: number;
 	/** 0 to 1e6 */
 	angular_damping_ratio: number;
+	/** 0 */
 	reserved: number;
 }
 
 /** b slides along an axis fixed in a, without turning. The translation is along the axis from anchor a. */
 export interface PrismaticDef {
+	/** what every joint has */
 	base: JointBase;
 	/** in body a's frame, any length > 0 (read back with length 1); default (1, 0) */
 	axis: Vec2;
@@ -715,6 +759,7 @@ export interface PrismaticDef {
 	reference_angle_rad: number;
 	/** CN_JOINT_LIMIT: lower <= upper */
 	lower_m: number;
+	/** the upper limit */
 	upper_m: number;
 	/** CN_JOINT_MOTOR */
 	motor_speed_mps: number;
@@ -731,11 +776,13 @@ export interface PrismaticDef {
 /** A wheel b on a suspension: b slides along an axis fixed in a, with spring and limits, and turns freely or
 by the motor. */
 export interface WheelDef {
+	/** what every joint has */
 	base: JointBase;
 	/** in body a's frame, any length > 0 (read back with length 1); default (0, 1) */
 	axis: Vec2;
 	/** CN_JOINT_LIMIT: lower <= upper */
 	lower_m: number;
+	/** the upper limit */
 	upper_m: number;
 	/** CN_JOINT_MOTOR */
 	motor_speed_radps: number;
@@ -760,13 +807,16 @@ export interface MotorDef {
 	hertz: number;
 	/** 0 to 1e6, default 1 */
 	damping_ratio: number;
+	/** 0 */
 	reserved: number;
 }
 
 /** Drags anchor b of body b to a world point by a spring. body_a must be 0, anchor_a_m is ignored, and
 base.force_max_N must be > 0. */
 export interface MouseDef {
+	/** what every joint has */
 	base: JointBase;
+	/** world */
 	target_m: Vec2;
 	/** > 0, to 1e6; default 5 */
 	hertz: number;
@@ -777,6 +827,7 @@ export interface MouseDef {
 /** angle b = ratio * angle a + phase. Angles begin in (-pi, pi] at creation (or when the ratio is changed)
 and count whole turns from there. */
 export interface GearDef {
+	/** what every joint has */
 	base: JointBase;
 	/** size 1e-4 to 1e4, negative: they turn against each other; default 1 */
 	ratio: number;
@@ -787,6 +838,7 @@ export interface GearDef {
 /** A rope over two pulleys: |anchor a - ground a| + ratio |anchor b - ground b| <= length. It pulls and never
 pushes. */
 export interface PulleyDef {
+	/** what every joint has */
 	base: JointBase;
 	/** world */
 	ground_a_m: Vec2;
@@ -801,6 +853,7 @@ export interface PulleyDef {
 /** b may turn against a in one direction, and back only to the last click that it passed. Clicks lie at phase
 + n * click_rad for every whole number n, over whole turns. */
 export interface RatchetDef {
+	/** what every joint has */
 	base: JointBase;
 	/** default 0 */
 	phase_rad: number;
@@ -811,6 +864,7 @@ export interface RatchetDef {
 /** A torque that pulls angle b - angle a to the rest angle, over whole turns. hertz refers to the inertia of
 the two bodies. */
 export interface RotarySpringDef {
+	/** what every joint has */
 	base: JointBase;
 	/** default 0 */
 	rest_angle_rad: number;
@@ -818,11 +872,13 @@ export interface RotarySpringDef {
 	hertz: number;
 	/** 0 to 1e6, default 0 */
 	damping_ratio: number;
+	/** 0 */
 	reserved: number;
 }
 
 /** Anchor b slides in a slot of body a from anchor a to end_m. */
 export interface GrooveDef {
+	/** what every joint has */
 	base: JointBase;
 	/** in body a's frame; not equal to anchor a; default (1, 0) */
 	end_m: Vec2;
@@ -830,6 +886,7 @@ export interface GrooveDef {
 
 /** The two bodies do not collide; no other effect. */
 export interface FilterJointDef {
+	/** what every joint has */
 	base: JointBase;
 }
 
@@ -849,13 +906,16 @@ export interface JointEvent {
 	torque_Nm: number;
 	/** 1: it broke, or one of its bodies was destroyed */
 	destroyed: number;
+	/** 0 */
 	reserved: number;
+	/** the joint's or constraint's */
 	user_data: bigint;
 }
 
 /** Keeps a body's angle within limits. The angle begins in (-pi, pi] at creation and counts whole turns from
 there. */
 export interface AngleConstraintDef {
+	/** set by the init function */
 	struct_size: number;
 	/** CN_CONSTRAINT_*; default 0 */
 	flags: number;
@@ -863,19 +923,22 @@ export interface AngleConstraintDef {
 	body: Body;
 	/** lower <= upper; equal: locked */
 	lower_rad: number;
+	/** the upper limit */
 	upper_rad: number;
-	/** 0 (default): rigid; to 1e6 */
+	/** > 0, to 1e6; CN_DEFAULT (default): rigid */
 	hertz: number;
-	/** used when hertz > 0; 0 to 1e6 */
+	/** used with a hertz; 0 to 1e6 */
 	damping_ratio: number;
-	/** a reaction above this is reported (cn_world_joint_events); 0: never */
+	/** a reaction above this is reported (cn_world_joint_events), > 0; CN_DEFAULT (default): never */
 	break_torque_Nm: number;
+	/** a number for the user; default 0 */
 	user_data: bigint;
 }
 
 /** Keeps a point of a body on a line in the world, within a tolerance on both sides, and between limits along
 the line. */
 export interface LineConstraintDef {
+	/** set by the init function */
 	struct_size: number;
 	/** CN_CONSTRAINT_*; default 0 */
 	flags: number;
@@ -891,14 +954,17 @@ export interface LineConstraintDef {
 	tolerance_m: number;
 	/** CN_CONSTRAINT_LIMIT: along the axis from origin; lower <= upper */
 	lower_m: number;
+	/** the upper limit */
 	upper_m: number;
-	/** 0 (default): rigid; to 1e6 */
+	/** > 0, to 1e6; CN_DEFAULT (default): rigid */
 	hertz: number;
-	/** used when hertz > 0; 0 to 1e6 */
+	/** used with a hertz; 0 to 1e6 */
 	damping_ratio: number;
-	/** a reaction above this is reported (cn_world_joint_events); 0: never */
+	/** a reaction above this is reported (cn_world_joint_events), > 0; CN_DEFAULT (default): never */
 	break_force_N: number;
+	/** 0 */
 	reserved: number;
+	/** a number for the user; default 0 */
 	user_data: bigint;
 }
 
@@ -928,6 +994,7 @@ depth of 0.5% of the length unit is no hit if the translation leads along the su
 export interface RayHit {
 	/** 0: nothing was hit */
 	shape: Shape;
+	/** the shape's */
 	body: Body;
 	/** edge of a chain */
 	child: number;
@@ -939,6 +1006,7 @@ export interface RayHit {
 	normal: Vec2;
 	/** depth of the start inside it, 0 outside */
 	depth_m: number;
+	/** 0 */
 	reserved: number;
 }
 
@@ -959,7 +1027,9 @@ export interface QueryFilter {
 export interface Closest {
 	/** 0: nothing within the distance */
 	shape: Shape;
+	/** the shape's */
 	body: Body;
+	/** edge of a chain */
 	child: number;
 	/** negative: depth inside a shape with area */
 	distance_m: number;
@@ -979,12 +1049,14 @@ export interface Distance {
 	normal: Vec2;
 	/** of the surfaces; negative: the depth, the shortest translation of b out of a */
 	distance_m: number;
+	/** 0 */
 	reserved: number;
 }
 
 /** A motion from fraction 0 to 1: a point of the shape moves in a straight line, and the shape turns about it
 at a constant rate. */
 export interface Sweep {
+	/** of the shape, before the motion */
 	start: Pose;
 	/** that point, in the shape's frame: the centre of mass of a body */
 	center_m: Vec2;
@@ -992,6 +1064,7 @@ export interface Sweep {
 	translation_m: Vec2;
 	/** counter-clockwise, |turn| <= 1e4 */
 	turn_rad: number;
+	/** 0 */
 	reserved: number;
 }
 
@@ -999,6 +1072,7 @@ export interface Sweep {
 export interface Impact {
 	/** CN_IMPACT_* */
 	state: number;
+	/** of both motions, [0, 1] */
 	fraction: number;
 	/** HIT only, as are the next two: between the surfaces */
 	point_m: Vec2;
@@ -1006,6 +1080,7 @@ export interface Impact {
 	normal: Vec2;
 	/** of the surfaces at fraction: distance_m to 0.1 mm (or the resolution of floats) above it */
 	distance_m: number;
+	/** 0 */
 	reserved: number;
 }
 
@@ -1022,7 +1097,9 @@ export interface Plane {
 	push_max_m: number;
 	/** its push in the last cn_mover_solve */
 	push_m: number;
+	/** whose surface it is */
 	shape: Shape;
+	/** the shape's */
 	body: Body;
 	/** edge of a chain */
 	child: number;
@@ -1030,6 +1107,7 @@ export interface Plane {
 
 /** How a character moves. It may change between moves: crouching is another shape. */
 export interface MoverDef {
+	/** set by the init function */
 	struct_size: number;
 	/** CN_MOVER_DROP; default 0 */
 	flags: number;
@@ -1058,6 +1136,7 @@ export interface MoverDef {
 world does not know it, and bodies do not collide with it: for that give it a kinematic body that is
 filter.ignored_body and follows by cn_body_set_target_pose. Initially all fields are 0 except the position. */
 export interface Mover {
+	/** of the shape's origin, world */
 	position_m: Vec2;
 	/** in the air: of the world. On the ground: walking speed along the ground, relative to the ground, as its
 	component across up; the one along up is 0, and a jump when the caller makes it > 0 */
@@ -1072,6 +1151,7 @@ export interface Mover {
 	ground_velocity_mps: Vec2;
 	/** 0: none; a stale handle counts as none */
 	ground_body: Body;
+	/** the same for its shape */
 	ground_shape: Shape;
 	/** CN_MOVER_ON_*, after the last move */
 	flags: number;
@@ -1083,6 +1163,7 @@ export interface Mover {
 Several areas act in the order of their priority, equal ones in that of cn_world_get_shapes; their
 accelerations, damping and forces add up. */
 export interface AreaDef {
+	/** set by the init function */
 	struct_size: number;
 	/** CN_AREA_REPLACE; default 0 */
 	flags: number;
@@ -1094,8 +1175,8 @@ export interface AreaDef {
 	center_m: Vec2;
 	/** acceleration towards center_m; negative pushes; default 0 */
 	pull_mps2: number;
-	/** 0 (default): pull_mps2 at every distance; to 1e6 length units: at this distance, with its inverse square
-	outside, and falling to 0 at the centre: a homogeneous planet */
+	/** CN_DEFAULT (default): pull_mps2 at every distance; > 0, to 1e6 length units: at this distance, with its
+	inverse square outside, and falling to 0 at the centre: a homogeneous planet */
 	pull_distance_m: number;
 	/** of the velocity relative to flow_mps, added to the body's own; of the displaced mass in a medium with
 	density (which is the body's mass where it floats), else of the body's; 0 to 1e9, default 0 */
@@ -1115,6 +1196,7 @@ export interface AreaDef {
 
 /** Definition of an explosion. */
 export interface ExplosionDef {
+	/** set by the init function */
 	struct_size: number;
 	/** full strength up to this distance of a shape's nearest point, 0 to 1e6 length units; default 1 */
 	radius_m: number;
@@ -1131,6 +1213,7 @@ export interface ExplosionDef {
 /** The user's drawing functions; NULL ones are not called. Colours are 0xRRGGBB. Points are in world
 coordinates. */
 export interface DebugDraw {
+	/** set by the init function */
 	struct_size: number;
 	/** CN_DRAW_*; default SHAPES | JOINTS | CONTACTS */
 	flags: number;
@@ -1163,10 +1246,10 @@ export class World {
 	setSolver(solver: number): void;
 	/** Reads the solver (CN_SOLVER_*). */
 	getSolver(): number;
-	/** Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, or CN_DEFAULT; 0 to 1e9, 0 for no limit.
-	*/
+	/** Sets accuracy_m and work_budget as in cn_world_def: metres >= 0 and 1 to 1e9, or CN_DEFAULT. */
 	setAccuracy(accuracy_m: number, work_budget: number): void;
-	/** Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget. */
+	/** Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget
+	(CN_DEFAULT: none). */
 	getAccuracy(): { accuracy_m: number; work_budget: number };
 	/** Reads how many workers a step can use: 1, or worker_count where the library supports threads. */
 	getWorkerCount(): number;

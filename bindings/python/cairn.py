@@ -242,8 +242,8 @@ class cn_vec2(_c.Structure):
     """A point, vector or pair of numbers."""
 
     _fields_ = [
-        ("x", _c.c_float),
-        ("y", _c.c_float),
+        ("x", _c.c_float),  # to the right
+        ("y", _c.c_float),  # upwards
     ]
 
 
@@ -252,9 +252,9 @@ class cn_pose(_c.Structure):
     uploaded to a GPU directly."""
 
     _fields_ = [
-        ("position_m", cn_vec2),
-        ("cosine", _c.c_float),
-        ("sine", _c.c_float),
+        ("position_m", cn_vec2),  # of the body's origin
+        ("cosine", _c.c_float),  # of the angle
+        ("sine", _c.c_float),  # of the angle
     ]
 
 
@@ -271,8 +271,8 @@ class cn_aabb(_c.Structure):
     """Axis-aligned bounding box, lower_m <= upper_m."""
 
     _fields_ = [
-        ("lower_m", cn_vec2),
-        ("upper_m", cn_vec2),
+        ("lower_m", cn_vec2),  # left and bottom
+        ("upper_m", cn_vec2),  # right and top
     ]
 
 
@@ -280,7 +280,7 @@ class cn_mass_data(_c.Structure):
     """Mass, inertia and centre of mass."""
 
     _fields_ = [
-        ("mass_kg", _c.c_float),
+        ("mass_kg", _c.c_float),  # of all shapes, or as set
         ("inertia_kgm2", _c.c_float),  # about the centre of mass
         ("center_m", cn_vec2),  # in the body's local frame
     ]
@@ -319,7 +319,7 @@ class cn_world_def(_c.Structure):
     """Definition of a world."""
 
     _fields_ = [
-        ("struct_size", _c.c_uint32),
+        ("struct_size", _c.c_uint32),  # set by the init function
         ("flags", _c.c_uint32),  # CN_WORLD_*; default SLEEP | WARM_START | CONTINUOUS
         ("gravity_mps2", cn_vec2),  # default (0, -10)
         ("length_unit_m", _c.c_float),  # a typical object's size, (0, 1e6]; slop, margins and speed limits scale with it; default 1
@@ -327,7 +327,7 @@ class cn_world_def(_c.Structure):
         ("broadphase", _c.c_int32),  # CN_BROADPHASE_*; default CN_BROADPHASE_SWEEP
         ("substep_count", _c.c_int32),  # 1 to 64; default 4
         ("accuracy_m", _c.c_float),  # CN_SOLVER_AUTO aims at errors below this, >= 0; CN_DEFAULT (default): 0.005 x length unit
-        ("work_budget", _c.c_int32),  # limit of direct solving in a step, in factored blocks (joints, contacts and their fill), substeps included, about 10 ns each; 0 to 1e9; default 0: the limits of single islands only
+        ("work_budget", _c.c_int32),  # limit of direct solving in a step, in factored blocks (joints, contacts and their fill), substeps included, about 10 ns each; 1 to 1e9; CN_DEFAULT (default): the limits of single islands only
         ("restitution_threshold_mps", _c.c_float),  # slower impacts do not bounce, >= 0; CN_DEFAULT (default): 1 x length unit
         ("push_speed_max_mps", _c.c_float),  # greatest speed at which overlaps are pushed apart, > 0; CN_DEFAULT (default): 3 x length unit
         ("linear_speed_max_mps", _c.c_float),  # faster bodies are slowed to it, > 0; CN_DEFAULT (default): 400 x length unit
@@ -338,7 +338,7 @@ class cn_world_def(_c.Structure):
         ("shape_capacity", _c.c_int32),  # counts every edge of a chain
         ("contact_capacity", _c.c_int32),  # pairs whose fat AABBs overlap
         ("joint_capacity", _c.c_int32),  # counts constraints too
-        ("user_data", _c.c_uint64),
+        ("user_data", _c.c_uint64),  # a number for the user; default 0
         ("memory_bytes", _c.c_uint64),  # size of memory; 0: use alloc and free
         ("memory", _c.c_void_p),  # NULL, or one block aligned to 64 bytes that holds the whole world
         ("alloc", cn_alloc_fn),  # NULL: malloc; set both or none
@@ -347,7 +347,7 @@ class cn_world_def(_c.Structure):
         ("enqueue", cn_enqueue_fn),  # NULL: the world's own threads; set both or none
         ("finish", cn_finish_fn),  # see cn_finish_fn
         ("task_user", _c.c_void_p),  # last argument of enqueue and finish
-        ("worker_count", _c.c_int32),  # threads that share a step, including the calling one; 0 to CN_WORKERS_MAX; default 0, the same as 1: no threads, no tasks
+        ("worker_count", _c.c_int32),  # threads that share a step, including the calling one; 1 to CN_WORKERS_MAX; default 1: no threads, no tasks
         ("hit_speed_mps", _c.c_float),  # blows at least this fast are reported by CN_EVENT_HIT, >= 0; CN_DEFAULT (default): 1 x length unit
         ("touching_capacity", _c.c_int32),  # Of a world in one block (memory); others ignore them. pairs that touch at once, >= 0; further ones do not collide: CN_WARNING_CONTACT_MEMORY; CN_DEFAULT (default): contact_capacity
         ("event_capacity", _c.c_int32),  # pairs that report events (event_mask of a shape, sensors), >= 0; further ones report none, which cn_counters.events_not_reported counts; CN_DEFAULT (default): contact_capacity
@@ -437,7 +437,7 @@ class cn_body_def(_c.Structure):
     """Definition of a body."""
 
     _fields_ = [
-        ("struct_size", _c.c_uint32),
+        ("struct_size", _c.c_uint32),  # set by the init function
         ("type", _c.c_int32),  # CN_BODY_STATIC, _KINEMATIC, _DYNAMIC; default dynamic
         ("position_m", cn_vec2),  # of the origin; |x|, |y| <= 1e6 x length unit
         ("angle_rad", _c.c_float),  # |angle| <= 1e4
@@ -449,7 +449,7 @@ class cn_body_def(_c.Structure):
         ("sleep_speed_mps", _c.c_float),  # >= 0; CN_DEFAULT (default): the world's
         ("flags", _c.c_uint32),  # CN_BODY_*; default ENABLED | SLEEP | AWAKE
         ("solver", _c.c_int32),  # as in cn_body_set_solver; default CN_SOLVER_AUTO
-        ("user_data", _c.c_uint64),
+        ("user_data", _c.c_uint64),  # a number for the user; default 0
         ("name", _c.c_char_p),  # NULL, or at most CN_NAME_MAX_BYTES bytes of text, copied
     ]
 
@@ -473,7 +473,7 @@ class cn_filter(_c.Structure):
         ("category", _c.c_uint64),  # default 1
         ("mask", _c.c_uint64),  # default all ones
         ("group", _c.c_int32),  # default 0
-        ("reserved", _c.c_uint32),
+        ("reserved", _c.c_uint32),  # 0
     ]
 
 
@@ -496,7 +496,7 @@ class cn_shape_def(_c.Structure):
     """Definition of a shape."""
 
     _fields_ = [
-        ("struct_size", _c.c_uint32),
+        ("struct_size", _c.c_uint32),  # set by the init function
         ("body", cn_body),  # 0: create unattached, for cn_shape_attach
         ("offset_m", cn_vec2),  # of the shape in the body's local frame
         ("angle_rad", _c.c_float),  # of the shape in the body's local frame
@@ -505,7 +505,7 @@ class cn_shape_def(_c.Structure):
         ("filter", cn_filter),  # defaults: see cn_filter
         ("event_mask", _c.c_uint32),  # bits 1 << CN_EVENT_*; a pair reports the events of either shape; default ENTER and LEAVE
         ("flags", _c.c_uint32),  # CN_SHAPE_SENSOR ...; default 0
-        ("user_data", _c.c_uint64),
+        ("user_data", _c.c_uint64),  # a number for the user; default 0
     ]
 
 
@@ -513,8 +513,8 @@ class cn_circle(_c.Structure):
     """A disc."""
 
     _fields_ = [
-        ("center_m", cn_vec2),
-        ("radius_m", _c.c_float),
+        ("center_m", cn_vec2),  # in the body's frame
+        ("radius_m", _c.c_float),  # > 0
     ]
 
 
@@ -522,9 +522,9 @@ class cn_capsule(_c.Structure):
     """All points within radius_m of the segment."""
 
     _fields_ = [
-        ("a_m", cn_vec2),
-        ("b_m", cn_vec2),
-        ("radius_m", _c.c_float),
+        ("a_m", cn_vec2),  # one end of the segment, in the body's frame
+        ("b_m", cn_vec2),  # the other end
+        ("radius_m", _c.c_float),  # around the segment, > 0
     ]
 
 
@@ -532,8 +532,8 @@ class cn_edge(_c.Structure):
     """A two-sided segment without mass."""
 
     _fields_ = [
-        ("a_m", cn_vec2),
-        ("b_m", cn_vec2),
+        ("a_m", cn_vec2),  # one end, in the body's frame
+        ("b_m", cn_vec2),  # the other end
     ]
 
 
@@ -543,7 +543,7 @@ class cn_polygon(_c.Structure):
     _fields_ = [
         ("count", _c.c_int32),  # 3 to CN_POLYGON_MAX_VERTICES
         ("radius_m", _c.c_float),  # rounding added outside the points, >= 0
-        ("points_m", cn_vec2 * 16),
+        ("points_m", cn_vec2 * 16),  # the first count of them; in the body's frame
     ]
 
 
@@ -585,10 +585,10 @@ class cn_contact_event(_c.Structure):
     """A contact event, or the present state of a contact."""
 
     _fields_ = [
-        ("shape_a", cn_shape),
-        ("shape_b", cn_shape),
-        ("body_a", cn_body),
-        ("body_b", cn_body),
+        ("shape_a", cn_shape),  # one shape of the pair
+        ("shape_b", cn_shape),  # the other
+        ("body_a", cn_body),  # of shape_a
+        ("body_b", cn_body),  # of shape_b
         ("child_a", _c.c_int32),  # edge number within a chain, else 0
         ("child_b", _c.c_int32),  # the same of shape b
         ("contact_id", _c.c_uint32),  # the same from CREATED to DESTROYED, then reused
@@ -599,7 +599,7 @@ class cn_contact_event(_c.Structure):
         ("friction_impulse_Ns", _c.c_float),  # along (normal.y, -normal.x), on body b
         ("hit_point_m", cn_vec2),  # HIT: where, in the world; else (0, 0)
         ("material_a", _c.c_uint32),  # cn_material.user_id of the shapes; 0 for CREATED, LEAVE and DESTROYED
-        ("material_b", _c.c_uint32),
+        ("material_b", _c.c_uint32),  # the same of shape_b
     ]
 
 
@@ -607,12 +607,12 @@ class cn_sensor_event(_c.Structure):
     """A shape entered or left a sensor."""
 
     _fields_ = [
-        ("sensor", cn_shape),
-        ("visitor", cn_shape),
-        ("sensor_body", cn_body),
-        ("visitor_body", cn_body),
+        ("sensor", cn_shape),  # the sensor
+        ("visitor", cn_shape),  # the shape that it met
+        ("sensor_body", cn_body),  # the sensor's body
+        ("visitor_body", cn_body),  # the visitor's body
         ("kind", _c.c_int32),  # CN_EVENT_ENTER or CN_EVENT_LEAVE
-        ("reserved", _c.c_uint32),
+        ("reserved", _c.c_uint32),  # 0
     ]
 
 
@@ -627,13 +627,13 @@ class cn_joint_base(_c.Structure):
         ("body_b", cn_body),  # 0: the world; one of the two must be dynamic
         ("anchor_a_m", cn_vec2),  # in body a's local frame, or in world coordinates
         ("anchor_b_m", cn_vec2),  # the same for body b
-        ("stiffness_hertz", _c.c_float),  # of the rigid parts, 0 to 1e6; 0 (default): as stiff as the substeps permit
-        ("stiffness_damping_ratio", _c.c_float),  # used when stiffness_hertz > 0; 0 to 1e6
-        ("force_max_N", _c.c_float),  # greatest force of anchors, axes and limits, >= 0; 0 (default): unbounded
-        ("torque_max_Nm", _c.c_float),  # greatest torque of angles, >= 0; 0 (default): unbounded
-        ("break_force_N", _c.c_float),  # a reaction above this in any substep is reported (cn_world_joint_events); 0 (default): never
+        ("stiffness_hertz", _c.c_float),  # of the rigid parts, > 0, to 1e6; CN_DEFAULT (default): as stiff as the substeps permit
+        ("stiffness_damping_ratio", _c.c_float),  # used with a stiffness_hertz; 0 to 1e6, default 0
+        ("force_max_N", _c.c_float),  # greatest force of anchors, axes and limits, > 0; CN_DEFAULT (default): unbounded
+        ("torque_max_Nm", _c.c_float),  # greatest torque of angles, > 0; CN_DEFAULT (default): unbounded
+        ("break_force_N", _c.c_float),  # a reaction above this in any substep is reported (cn_world_joint_events), > 0; CN_DEFAULT (default): never
         ("break_torque_Nm", _c.c_float),  # the same for the torque
-        ("user_data", _c.c_uint64),
+        ("user_data", _c.c_uint64),  # a number for the user; default 0
     ]
 
 
@@ -641,10 +641,10 @@ class cn_revolute_def(_c.Structure):
     """Two bodies share a point. The joint angle is angle b - angle a - reference, in (-pi, pi]."""
 
     _fields_ = [
-        ("base", cn_joint_base),
-        ("reference_angle_rad", _c.c_float),
+        ("base", cn_joint_base),  # what every joint has
+        ("reference_angle_rad", _c.c_float),  # angle b - angle a at joint angle 0
         ("lower_angle_rad", _c.c_float),  # CN_JOINT_LIMIT: -pi <= lower <= upper <= pi
-        ("upper_angle_rad", _c.c_float),
+        ("upper_angle_rad", _c.c_float),  # the upper limit
         ("motor_speed_radps", _c.c_float),  # CN_JOINT_MOTOR
         ("motor_torque_max_Nm", _c.c_float),  # >= 0
         ("spring_target_rad", _c.c_float),  # CN_JOINT_SPRING: pulls the joint angle to this
@@ -659,15 +659,15 @@ class cn_distance_def(_c.Structure):
     limits alone make a rope (min 0)."""
 
     _fields_ = [
-        ("base", cn_joint_base),
+        ("base", cn_joint_base),  # what every joint has
         ("length_m", _c.c_float),  # > 0; default 1
         ("length_min_m", _c.c_float),  # CN_JOINT_LIMIT: 0 <= min <= max; default 0 and 1
-        ("length_max_m", _c.c_float),
+        ("length_max_m", _c.c_float),  # the upper limit
         ("motor_speed_mps", _c.c_float),  # CN_JOINT_MOTOR: along the axis, positive lengthens; with spring or limit only
         ("motor_force_max_N", _c.c_float),  # >= 0
         ("spring_hertz", _c.c_float),  # 0 to 1e6
         ("spring_damping_ratio", _c.c_float),  # 0 to 1e6
-        ("reserved", _c.c_float),
+        ("reserved", _c.c_float),  # 0
     ]
 
 
@@ -675,11 +675,11 @@ class cn_fixed_def(_c.Structure):
     """Two welded bodies: no relative motion. base.stiffness_hertz makes the weld springy."""
 
     _fields_ = [
-        ("base", cn_joint_base),
+        ("base", cn_joint_base),  # what every joint has
         ("reference_angle_rad", _c.c_float),  # angle b - angle a
-        ("angular_hertz", _c.c_float),  # stiffness of the angle alone, 0 to 1e6; 0: the base's
+        ("angular_hertz", _c.c_float),  # stiffness of the angle alone, > 0, to 1e6; CN_DEFAULT (default): the base's
         ("angular_damping_ratio", _c.c_float),  # 0 to 1e6
-        ("reserved", _c.c_float),
+        ("reserved", _c.c_float),  # 0
     ]
 
 
@@ -687,11 +687,11 @@ class cn_prismatic_def(_c.Structure):
     """b slides along an axis fixed in a, without turning. The translation is along the axis from anchor a."""
 
     _fields_ = [
-        ("base", cn_joint_base),
+        ("base", cn_joint_base),  # what every joint has
         ("axis", cn_vec2),  # in body a's frame, any length > 0 (read back with length 1); default (1, 0)
         ("reference_angle_rad", _c.c_float),  # angle b - angle a
         ("lower_m", _c.c_float),  # CN_JOINT_LIMIT: lower <= upper
-        ("upper_m", _c.c_float),
+        ("upper_m", _c.c_float),  # the upper limit
         ("motor_speed_mps", _c.c_float),  # CN_JOINT_MOTOR
         ("motor_force_max_N", _c.c_float),  # >= 0
         ("spring_target_m", _c.c_float),  # CN_JOINT_SPRING: pulls the translation to this
@@ -705,10 +705,10 @@ class cn_wheel_def(_c.Structure):
     by the motor."""
 
     _fields_ = [
-        ("base", cn_joint_base),
+        ("base", cn_joint_base),  # what every joint has
         ("axis", cn_vec2),  # in body a's frame, any length > 0 (read back with length 1); default (0, 1)
         ("lower_m", _c.c_float),  # CN_JOINT_LIMIT: lower <= upper
-        ("upper_m", _c.c_float),
+        ("upper_m", _c.c_float),  # the upper limit
         ("motor_speed_radps", _c.c_float),  # CN_JOINT_MOTOR
         ("motor_torque_max_Nm", _c.c_float),  # >= 0
         ("spring_hertz", _c.c_float),  # CN_JOINT_SPRING: pulls anchor b to anchor a; 0 to 1e6, default 1
@@ -726,7 +726,7 @@ class cn_motor_def(_c.Structure):
         ("angle_rad", _c.c_float),  # angle b - angle a
         ("hertz", _c.c_float),  # frequency of the spring, > 0, to 1e6; default 5
         ("damping_ratio", _c.c_float),  # 0 to 1e6, default 1
-        ("reserved", _c.c_float),
+        ("reserved", _c.c_float),  # 0
     ]
 
 
@@ -735,8 +735,8 @@ class cn_mouse_def(_c.Structure):
     base.force_max_N must be > 0."""
 
     _fields_ = [
-        ("base", cn_joint_base),
-        ("target_m", cn_vec2),
+        ("base", cn_joint_base),  # what every joint has
+        ("target_m", cn_vec2),  # world
         ("hertz", _c.c_float),  # > 0, to 1e6; default 5
         ("damping_ratio", _c.c_float),  # 0 to 1e6, default 0.7
     ]
@@ -747,7 +747,7 @@ class cn_gear_def(_c.Structure):
     and count whole turns from there."""
 
     _fields_ = [
-        ("base", cn_joint_base),
+        ("base", cn_joint_base),  # what every joint has
         ("ratio", _c.c_float),  # size 1e-4 to 1e4, negative: they turn against each other; default 1
         ("phase_rad", _c.c_float),  # default 0
     ]
@@ -758,7 +758,7 @@ class cn_pulley_def(_c.Structure):
     pushes."""
 
     _fields_ = [
-        ("base", cn_joint_base),
+        ("base", cn_joint_base),  # what every joint has
         ("ground_a_m", cn_vec2),  # world
         ("ground_b_m", cn_vec2),  # world
         ("ratio", _c.c_float),  # 1e-4 to 1e4; default 1
@@ -771,7 +771,7 @@ class cn_ratchet_def(_c.Structure):
     + n * click_rad for every whole number n, over whole turns."""
 
     _fields_ = [
-        ("base", cn_joint_base),
+        ("base", cn_joint_base),  # what every joint has
         ("phase_rad", _c.c_float),  # default 0
         ("click_rad", _c.c_float),  # size 1e-4 to 1e4: must be set; positive: b may turn counter-clockwise
     ]
@@ -782,11 +782,11 @@ class cn_rotary_spring_def(_c.Structure):
     the two bodies."""
 
     _fields_ = [
-        ("base", cn_joint_base),
+        ("base", cn_joint_base),  # what every joint has
         ("rest_angle_rad", _c.c_float),  # default 0
         ("hertz", _c.c_float),  # > 0, to 1e6; default 1
         ("damping_ratio", _c.c_float),  # 0 to 1e6, default 0
-        ("reserved", _c.c_float),
+        ("reserved", _c.c_float),  # 0
     ]
 
 
@@ -794,7 +794,7 @@ class cn_groove_def(_c.Structure):
     """Anchor b slides in a slot of body a from anchor a to end_m."""
 
     _fields_ = [
-        ("base", cn_joint_base),
+        ("base", cn_joint_base),  # what every joint has
         ("end_m", cn_vec2),  # in body a's frame; not equal to anchor a; default (1, 0)
     ]
 
@@ -803,7 +803,7 @@ class cn_filter_joint_def(_c.Structure):
     """The two bodies do not collide; no other effect."""
 
     _fields_ = [
-        ("base", cn_joint_base),
+        ("base", cn_joint_base),  # what every joint has
     ]
 
 
@@ -818,8 +818,8 @@ class cn_joint_event(_c.Structure):
         ("force_N", _c.c_float),  # largest reaction of the step; 0 when a body was destroyed
         ("torque_Nm", _c.c_float),  # the same for the torque
         ("destroyed", _c.c_uint32),  # 1: it broke, or one of its bodies was destroyed
-        ("reserved", _c.c_uint32),
-        ("user_data", _c.c_uint64),
+        ("reserved", _c.c_uint32),  # 0
+        ("user_data", _c.c_uint64),  # the joint's or constraint's
     ]
 
 
@@ -828,15 +828,15 @@ class cn_angle_constraint_def(_c.Structure):
     there."""
 
     _fields_ = [
-        ("struct_size", _c.c_uint32),
+        ("struct_size", _c.c_uint32),  # set by the init function
         ("flags", _c.c_uint32),  # CN_CONSTRAINT_*; default 0
         ("body", cn_body),  # must be dynamic
         ("lower_rad", _c.c_float),  # lower <= upper; equal: locked
-        ("upper_rad", _c.c_float),
-        ("hertz", _c.c_float),  # 0 (default): rigid; to 1e6
-        ("damping_ratio", _c.c_float),  # used when hertz > 0; 0 to 1e6
-        ("break_torque_Nm", _c.c_float),  # a reaction above this is reported (cn_world_joint_events); 0: never
-        ("user_data", _c.c_uint64),
+        ("upper_rad", _c.c_float),  # the upper limit
+        ("hertz", _c.c_float),  # > 0, to 1e6; CN_DEFAULT (default): rigid
+        ("damping_ratio", _c.c_float),  # used with a hertz; 0 to 1e6
+        ("break_torque_Nm", _c.c_float),  # a reaction above this is reported (cn_world_joint_events), > 0; CN_DEFAULT (default): never
+        ("user_data", _c.c_uint64),  # a number for the user; default 0
     ]
 
 
@@ -845,7 +845,7 @@ class cn_line_constraint_def(_c.Structure):
     the line."""
 
     _fields_ = [
-        ("struct_size", _c.c_uint32),
+        ("struct_size", _c.c_uint32),  # set by the init function
         ("flags", _c.c_uint32),  # CN_CONSTRAINT_*; default 0
         ("body", cn_body),  # must be dynamic
         ("anchor_m", cn_vec2),  # in the body's frame
@@ -853,12 +853,12 @@ class cn_line_constraint_def(_c.Structure):
         ("axis", cn_vec2),  # world, any length > 0 (read back with length 1); default (1, 0)
         ("tolerance_m", _c.c_float),  # >= 0: free play across the axis
         ("lower_m", _c.c_float),  # CN_CONSTRAINT_LIMIT: along the axis from origin; lower <= upper
-        ("upper_m", _c.c_float),
-        ("hertz", _c.c_float),  # 0 (default): rigid; to 1e6
-        ("damping_ratio", _c.c_float),  # used when hertz > 0; 0 to 1e6
-        ("break_force_N", _c.c_float),  # a reaction above this is reported (cn_world_joint_events); 0: never
-        ("reserved", _c.c_uint32),
-        ("user_data", _c.c_uint64),
+        ("upper_m", _c.c_float),  # the upper limit
+        ("hertz", _c.c_float),  # > 0, to 1e6; CN_DEFAULT (default): rigid
+        ("damping_ratio", _c.c_float),  # used with a hertz; 0 to 1e6
+        ("break_force_N", _c.c_float),  # a reaction above this is reported (cn_world_joint_events), > 0; CN_DEFAULT (default): never
+        ("reserved", _c.c_uint32),  # 0
+        ("user_data", _c.c_uint64),  # a number for the user; default 0
     ]
 
 
@@ -889,13 +889,13 @@ class cn_ray_hit(_c.Structure):
 
     _fields_ = [
         ("shape", cn_shape),  # 0: nothing was hit
-        ("body", cn_body),
+        ("body", cn_body),  # the shape's
         ("child", _c.c_int32),  # edge of a chain
         ("fraction", _c.c_float),  # of the translation, [0, 1]; 1 when nothing was hit
         ("point_m", cn_vec2),  # on the surface of the shape that was hit
         ("normal", cn_vec2),  # unit, out of the shape that was hit
         ("depth_m", _c.c_float),  # depth of the start inside it, 0 outside
-        ("reserved", _c.c_uint32),
+        ("reserved", _c.c_uint32),  # 0
     ]
 
 
@@ -916,7 +916,7 @@ class cn_query_filter(_c.Structure):
         ("ignored_body", cn_body),  # its shapes are ignored; 0 (default): none. A stale handle is an error
         ("flags", _c.c_uint32),  # CN_QUERY_IGNORE_JOINED ...; default 0
         ("visit", cn_query_fn),  # NULL (default): take all shapes
-        ("user", _c.c_void_p),
+        ("user", _c.c_void_p),  # last argument of visit
     ]
 
 
@@ -925,8 +925,8 @@ class cn_closest(_c.Structure):
 
     _fields_ = [
         ("shape", cn_shape),  # 0: nothing within the distance
-        ("body", cn_body),
-        ("child", _c.c_int32),
+        ("body", cn_body),  # the shape's
+        ("child", _c.c_int32),  # edge of a chain
         ("distance_m", _c.c_float),  # negative: depth inside a shape with area
         ("point_m", cn_vec2),  # on the surface
         ("normal", cn_vec2),  # outward there; of edges and chains towards the point
@@ -941,7 +941,7 @@ class cn_distance(_c.Structure):
         ("point_b_m", cn_vec2),  # on the surface of b
         ("normal", cn_vec2),  # unit, from a to b
         ("distance_m", _c.c_float),  # of the surfaces; negative: the depth, the shortest translation of b out of a
-        ("reserved", _c.c_uint32),
+        ("reserved", _c.c_uint32),  # 0
     ]
 
 
@@ -950,11 +950,11 @@ class cn_sweep(_c.Structure):
     at a constant rate."""
 
     _fields_ = [
-        ("start", cn_pose),
+        ("start", cn_pose),  # of the shape, before the motion
         ("center_m", cn_vec2),  # that point, in the shape's frame: the centre of mass of a body
         ("translation_m", cn_vec2),  # of it; at most 2e6 m each way
         ("turn_rad", _c.c_float),  # counter-clockwise, |turn| <= 1e4
-        ("reserved", _c.c_uint32),
+        ("reserved", _c.c_uint32),  # 0
     ]
 
 
@@ -963,11 +963,11 @@ class cn_impact(_c.Structure):
 
     _fields_ = [
         ("state", _c.c_int32),  # CN_IMPACT_*
-        ("fraction", _c.c_float),
+        ("fraction", _c.c_float),  # of both motions, [0, 1]
         ("point_m", cn_vec2),  # HIT only, as are the next two: between the surfaces
         ("normal", cn_vec2),  # unit, from a to b
         ("distance_m", _c.c_float),  # of the surfaces at fraction: distance_m to 0.1 mm (or the resolution of floats) above it
-        ("reserved", _c.c_uint32),
+        ("reserved", _c.c_uint32),  # 0
     ]
 
 
@@ -981,8 +981,8 @@ class cn_plane(_c.Structure):
         ("separation_m", _c.c_float),  # of the surfaces along the normal; negative: they overlap
         ("push_max_m", _c.c_float),  # greatest push of this plane, >= 0; FLT_MAX: rigid
         ("push_m", _c.c_float),  # its push in the last cn_mover_solve
-        ("shape", cn_shape),
-        ("body", cn_body),
+        ("shape", cn_shape),  # whose surface it is
+        ("body", cn_body),  # the shape's
         ("child", _c.c_int32),  # edge of a chain
     ]
 
@@ -991,7 +991,7 @@ class cn_mover_def(_c.Structure):
     """How a character moves. It may change between moves: crouching is another shape."""
 
     _fields_ = [
-        ("struct_size", _c.c_uint32),
+        ("struct_size", _c.c_uint32),  # set by the init function
         ("flags", _c.c_uint32),  # CN_MOVER_DROP; default 0
         ("shape", cn_polygon),  # around its position, never turned; 1 or 2 points with radius > 0: circle, capsule. Default: a capsule of radius 0.3 from -0.5 to 0.5 along y: 1.6 high. Round shapes move more smoothly
         ("filter", cn_query_filter),  # shapes that it collides with; sensors never, one-way shapes from above
@@ -1012,14 +1012,14 @@ class cn_mover(_c.Structure):
     position."""
 
     _fields_ = [
-        ("position_m", cn_vec2),
+        ("position_m", cn_vec2),  # of the shape's origin, world
         ("velocity_mps", cn_vec2),  # in the air: of the world. On the ground: walking speed along the ground, relative to the ground, as its component across up; the one along up is 0, and a jump when the caller makes it > 0
         ("ground_normal", cn_vec2),  # of the ground with CN_MOVER_ON_GROUND, else (0, 0)
         ("ground_point_m", cn_vec2),  # in the world, after the move
         ("ground_local_m", cn_vec2),  # ... in the frame of ground_body
         ("ground_velocity_mps", cn_vec2),  # of the ground there
         ("ground_body", cn_body),  # 0: none; a stale handle counts as none
-        ("ground_shape", cn_shape),
+        ("ground_shape", cn_shape),  # the same for its shape
         ("flags", _c.c_uint32),  # CN_MOVER_ON_*, after the last move
         ("squeezed_m", _c.c_float),  # overlap with surfaces that leave it no room; else 0 up to rounding
     ]
@@ -1031,13 +1031,13 @@ class cn_area_def(_c.Structure):
     accelerations, damping and forces add up."""
 
     _fields_ = [
-        ("struct_size", _c.c_uint32),
+        ("struct_size", _c.c_uint32),  # set by the init function
         ("flags", _c.c_uint32),  # CN_AREA_REPLACE; default 0
         ("priority", _c.c_int32),  # default 0
         ("gravity_mps2", cn_vec2),  # acceleration in the axes of the world, times the body's gravity_scale; default (0, 0)
         ("center_m", cn_vec2),  # of pull_mps2, in the frame of the sensor's body; default (0, 0)
         ("pull_mps2", _c.c_float),  # acceleration towards center_m; negative pushes; default 0
-        ("pull_distance_m", _c.c_float),  # 0 (default): pull_mps2 at every distance; to 1e6 length units: at this distance, with its inverse square outside, and falling to 0 at the centre: a homogeneous planet
+        ("pull_distance_m", _c.c_float),  # CN_DEFAULT (default): pull_mps2 at every distance; > 0, to 1e6 length units: at this distance, with its inverse square outside, and falling to 0 at the centre: a homogeneous planet
         ("linear_damping_per_s", _c.c_float),  # of the velocity relative to flow_mps, added to the body's own; of the displaced mass in a medium with density (which is the body's mass where it floats), else of the body's; 0 to 1e9, default 0
         ("angular_damping_per_s", _c.c_float),  # ... of the rotation; 0 to 1e9, default 0
         ("density_kgpm2", _c.c_float),  # of the medium: buoyancy of the parts of shapes in it, against all gravity that acts; 0 to 1e9, default 0
@@ -1051,7 +1051,7 @@ class cn_explosion_def(_c.Structure):
     """Definition of an explosion."""
 
     _fields_ = [
-        ("struct_size", _c.c_uint32),
+        ("struct_size", _c.c_uint32),  # set by the init function
         ("radius_m", _c.c_float),  # full strength up to this distance of a shape's nearest point, 0 to 1e6 length units; default 1
         ("falloff_m", _c.c_float),  # then linearly to 0 over this distance, 0 to 1e6 length units; default 0
         ("impulse_Nspm", _c.c_float),  # per metre of the shape's width seen from the centre; negative pulls; default 0
@@ -1089,7 +1089,7 @@ class cn_debug_draw(_c.Structure):
     coordinates."""
 
     _fields_ = [
-        ("struct_size", _c.c_uint32),
+        ("struct_size", _c.c_uint32),  # set by the init function
         ("flags", _c.c_uint32),  # CN_DRAW_*; default SHAPES | JOINTS | CONTACTS
         ("view", cn_aabb),  # things outside are not drawn; default everything
         ("polygon", cn_debug_draw_polygon_fn),  # count points, counter-clockwise
@@ -1099,7 +1099,7 @@ class cn_debug_draw(_c.Structure):
         ("point", cn_debug_draw_point_fn),  # size in pixels
         ("text", cn_debug_draw_text_fn),  # zero-terminated, valid during the call
         ("user", _c.c_void_p),  # last argument of the functions
-        ("reserved", _c.c_void_p),
+        ("reserved", _c.c_void_p),  # 0
     ]
 
 
@@ -1228,12 +1228,13 @@ cn_world_get_solver = _function(
 )
 cn_world_set_accuracy = _function(
     "cn_world_set_accuracy",
-    """Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, or CN_DEFAULT; 0 to 1e9, 0 for no limit.""",
+    """Sets accuracy_m and work_budget as in cn_world_def: metres >= 0 and 1 to 1e9, or CN_DEFAULT.""",
     cn_result, _c.POINTER(cn_world), _c.c_float, _c.c_int32,
 )
 cn_world_get_accuracy = _function(
     "cn_world_get_accuracy",
-    """Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget.""",
+    """Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget
+    (CN_DEFAULT: none).""",
     cn_result, _c.POINTER(cn_world), _c.POINTER(_c.c_float), _c.POINTER(_c.c_int32),
 )
 cn_world_get_worker_count = _function(
@@ -3165,12 +3166,12 @@ class World:
         return _solver.value
 
     def set_accuracy(self, accuracy_m, work_budget):
-        """Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, or CN_DEFAULT; 0 to 1e9, 0 for no
-        limit."""
+        """Sets accuracy_m and work_budget as in cn_world_def: metres >= 0 and 1 to 1e9, or CN_DEFAULT."""
         _check(cn_world_set_accuracy(self.pointer, accuracy_m, work_budget), self.pointer)
 
     def get_accuracy(self):
-        """Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget."""
+        """Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget
+        (CN_DEFAULT: none)."""
         _accuracy_m = _c.c_float()
         _work_budget = _c.c_int32()
         _check(cn_world_get_accuracy(self.pointer, _accuracy_m, _work_budget))

@@ -121,7 +121,7 @@ def reading():
         ("documentation", ["A thing of two lines.", "metres", "Does it."], [thing["doc"], thing["fields"][1]["doc"], function["doc"]]),
         ("documentation of values", ["", "a bit", "both"], [value["doc"] for value in api["enums"][0]["values"]]),
         ("documentation of callbacks", "draws it", api["callbacks"][0]["doc"]),
-        ("undocumented", ["cn_vec2"], generate.undocumented(api)),
+        ("undocumented", ["cn_vec2", "cn_vec2.x", "cn_vec2.y", "cn_thing.id"], generate.undocumented(api)),
         ("section", "things", function["section"]),
         ("values", [("CN_TYPE_VEC2", 0), ("CN_BIT", 16), ("CN_BOTH", 17)], [(value["name"], value["value"]) for value in api["enums"][0]["values"]]),
         ("flags are unsigned", "uint32_t", api["enums"][0]["type"]),

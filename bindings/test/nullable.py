@@ -62,7 +62,7 @@ class Call:
         definition = self.with_bodies(initialised(create.argtypes[1]._type_.__name__))
         for owner in (definition, getattr(definition, "base", definition)):
             for field in ("length_m", "click_rad", "force_max_N", "torque_max_Nm"):  # without a default in some
-                if getattr(owner, field, 1) == 0:
+                if getattr(owner, field, 1) in (0, cairn.CN_DEFAULT):
                     setattr(owner, field, 1)
         if definition.__class__ is cairn.cn_mouse_def:
             definition.base.body_a = 0

@@ -137,7 +137,7 @@ if command -v node >/dev/null 2>&1 && command -v clang-19 >/dev/null 2>&1 && [ -
 	if command -v tsc >/dev/null 2>&1; then
 		check "javascript types" tsc --strict --noEmit --target es2022 --lib es2022,dom --module nodenext --moduleResolution nodenext "$out/javascript/types.ts"
 	else
-		skip 1 'tsc (npm install --global typescript)'
+		skip 1 'tsc (node-typescript)'
 	fi
 else
 	skip 3 'node, clang-19 or wasi-libc'
@@ -192,6 +192,24 @@ else
 	skip 7 'mono (mcs and mono)'
 fi
 
+# Programs of any language are recorded by another library in the place of libcairn; a replay finds no difference.
+recorded() { # language command...
+	name=$1
+	shift
+	rm -f "$out"/game.rec*
+	same "$name with the recorder" "$hinges" env CAIRN_RECORD="$out/game.rec" "$@"
+	check "$name's recording replays" sh -c "grep -lq CairnRec '$out'/game.rec* && for file in '$out'/game.rec*; do '$build/bin/replay' \$file || exit 1; done"
+}
+recorder=$absolute/record
+if command -v objcopy >/dev/null 2>&1 && [ "$(uname -s)" = Linux ]; then
+	check "recording library builds" env CC="$compiler" sh bindings/record/library.sh "$build"
+	if command -v python3 >/dev/null 2>&1; then recorded Python env CAIRN_LIBRARY="$recorder/libcairn.so" python3 bindings/test/layer.py; else skip 2 python3; fi
+	if command -v luajit >/dev/null 2>&1; then recorded LuaJIT env CAIRN_LIBRARY="$recorder/libcairn.so" luajit bindings/test/hinges.lua; else skip 2 luajit; fi
+	if command -v mono >/dev/null 2>&1; then recorded 'C#' env LD_LIBRARY_PATH="$recorder" mono "$out/hinges.exe"; else skip 2 mono; fi
+else
+	skip 7 'objcopy (binutils)'
+fi
+
 zig=
 if command -v zig >/dev/null 2>&1; then zig=zig; elif python3 -m ziglang version >/dev/null 2>&1; then zig='python3 -m ziglang'; fi
 if [ -n "$zig" ]; then
@@ -227,8 +245,16 @@ fi
 
 if command -v x86_64-w64-mingw32-gcc >/dev/null 2>&1; then
 	check "Windows DLL" sh -c "$tree/dll.sh '$absolute/bindings/windows'"
+	wine=$(command -v wine64 || echo /usr/lib/wine/wine64) # Debian's package puts it outside of PATH
+	if command -v "$wine" >/dev/null 2>&1; then
+		# Its lines end as Windows' do.
+		same "Windows hinges through the DLL" "$hinges" sh -c "WINEPREFIX='$absolute/bindings/wine' WINEDEBUG=-all WINEDLLOVERRIDES='mscoree,mshtml=' \
+			'$wine' '$absolute/bindings/windows/hinges.exe' 2>/dev/null | tr -d '\\r'"
+	else
+		skip 1 wine64
+	fi
 else
-	skip 1 'x86_64-w64-mingw32-gcc (gcc-mingw-w64-x86-64)'
+	skip 2 'x86_64-w64-mingw32-gcc (gcc-mingw-w64-x86-64-win32)'
 fi
 
 echo "$passed passed, $failed failed, $skipped skipped"

@@ -26,8 +26,10 @@ pub const CN_WORKERS_MAX = 64;
 /// Most bodies, shapes or joints alive at once in one world (20 bits of index).
 pub const CN_MAX_HANDLES = 1048575;
 
-// In a definition: the default of a field whose comment names CN_DEFAULT.
-/// In a definition: the default of a field whose comment names CN_DEFAULT.
+// In a definition: the default of a field whose comment names CN_DEFAULT; other fields refuse it where it is
+// out of their range.
+/// In a definition: the default of a field whose comment names CN_DEFAULT; other fields refuse it where it is
+/// out of their range.
 pub const CN_DEFAULT = -1;
 
 // Result codes.
@@ -445,7 +447,9 @@ pub const cn_tree_ray_fn = fn (item: u32, user_data: u64, fraction: f32, user: ?
 
 /// A point, vector or pair of numbers.
 pub const cn_vec2 = extern struct {
+    /// to the right
     x: f32,
+    /// upwards
     y: f32,
 
     comptime {
@@ -456,8 +460,11 @@ pub const cn_vec2 = extern struct {
 /// Position of a body's origin and its rotation as (cosine, sine). 16 bytes: an array of poses can be
 /// uploaded to a GPU directly.
 pub const cn_pose = extern struct {
+    /// of the body's origin
     position_m: cn_vec2,
+    /// of the angle
     cosine: f32,
+    /// of the angle
     sine: f32,
 
     comptime {
@@ -479,7 +486,9 @@ pub const cn_velocity = extern struct {
 
 /// Axis-aligned bounding box, lower_m <= upper_m.
 pub const cn_aabb = extern struct {
+    /// left and bottom
     lower_m: cn_vec2,
+    /// right and top
     upper_m: cn_vec2,
 
     comptime {
@@ -489,6 +498,7 @@ pub const cn_aabb = extern struct {
 
 /// Mass, inertia and centre of mass.
 pub const cn_mass_data = extern struct {
+    /// of all shapes, or as set
     mass_kg: f32,
     /// about the centre of mass
     inertia_kgm2: f32,
@@ -502,6 +512,7 @@ pub const cn_mass_data = extern struct {
 
 /// Definition of a world.
 pub const cn_world_def = extern struct {
+    /// set by the init function
     struct_size: u32,
     /// CN_WORLD_*; default SLEEP | WARM_START | CONTINUOUS
     flags: u32,
@@ -518,7 +529,7 @@ pub const cn_world_def = extern struct {
     /// CN_SOLVER_AUTO aims at errors below this, >= 0; CN_DEFAULT (default): 0.005 x length unit
     accuracy_m: f32,
     /// limit of direct solving in a step, in factored blocks (joints, contacts and their fill), substeps
-    /// included, about 10 ns each; 0 to 1e9; default 0: the limits of single islands only
+    /// included, about 10 ns each; 1 to 1e9; CN_DEFAULT (default): the limits of single islands only
     work_budget: i32,
     /// slower impacts do not bounce, >= 0; CN_DEFAULT (default): 1 x length unit
     restitution_threshold_mps: f32,
@@ -540,6 +551,7 @@ pub const cn_world_def = extern struct {
     contact_capacity: i32,
     /// counts constraints too
     joint_capacity: i32,
+    /// a number for the user; default 0
     user_data: u64,
     /// size of memory; 0: use alloc and free
     memory_bytes: u64,
@@ -557,8 +569,8 @@ pub const cn_world_def = extern struct {
     finish: ?*const cn_finish_fn,
     /// last argument of enqueue and finish
     task_user: ?*anyopaque,
-    /// threads that share a step, including the calling one; 0 to CN_WORKERS_MAX; default 0, the same as 1:
-    /// no threads, no tasks
+    /// threads that share a step, including the calling one; 1 to CN_WORKERS_MAX; default 1: no threads, no
+    /// tasks
     worker_count: i32,
     /// blows at least this fast are reported by CN_EVENT_HIT, >= 0; CN_DEFAULT (default): 1 x length unit
     hit_speed_mps: f32,
@@ -712,6 +724,7 @@ pub const cn_memory_stats = extern struct {
 
 /// Definition of a body.
 pub const cn_body_def = extern struct {
+    /// set by the init function
     struct_size: u32,
     /// CN_BODY_STATIC, _KINEMATIC, _DYNAMIC; default dynamic
     @"type": i32,
@@ -735,6 +748,7 @@ pub const cn_body_def = extern struct {
     flags: u32,
     /// as in cn_body_set_solver; default CN_SOLVER_AUTO
     solver: i32,
+    /// a number for the user; default 0
     user_data: u64,
     /// NULL, or at most CN_NAME_MAX_BYTES bytes of text, copied
     name: ?[*:0]const u8,
@@ -769,6 +783,7 @@ pub const cn_filter = extern struct {
     mask: u64,
     /// default 0
     group: i32,
+    /// 0
     reserved: u32,
 
     comptime {
@@ -802,6 +817,7 @@ pub const cn_material = extern struct {
 
 /// Definition of a shape.
 pub const cn_shape_def = extern struct {
+    /// set by the init function
     struct_size: u32,
     /// 0: create unattached, for cn_shape_attach
     body: cn_body,
@@ -819,6 +835,7 @@ pub const cn_shape_def = extern struct {
     event_mask: u32,
     /// CN_SHAPE_SENSOR ...; default 0
     flags: u32,
+    /// a number for the user; default 0
     user_data: u64,
 
     comptime {
@@ -828,7 +845,9 @@ pub const cn_shape_def = extern struct {
 
 /// A disc.
 pub const cn_circle = extern struct {
+    /// in the body's frame
     center_m: cn_vec2,
+    /// > 0
     radius_m: f32,
 
     comptime {
@@ -838,8 +857,11 @@ pub const cn_circle = extern struct {
 
 /// All points within radius_m of the segment.
 pub const cn_capsule = extern struct {
+    /// one end of the segment, in the body's frame
     a_m: cn_vec2,
+    /// the other end
     b_m: cn_vec2,
+    /// around the segment, > 0
     radius_m: f32,
 
     comptime {
@@ -849,7 +871,9 @@ pub const cn_capsule = extern struct {
 
 /// A two-sided segment without mass.
 pub const cn_edge = extern struct {
+    /// one end, in the body's frame
     a_m: cn_vec2,
+    /// the other end
     b_m: cn_vec2,
 
     comptime {
@@ -863,6 +887,7 @@ pub const cn_polygon = extern struct {
     count: i32,
     /// rounding added outside the points, >= 0
     radius_m: f32,
+    /// the first count of them; in the body's frame
     points_m: [16]cn_vec2,
 
     comptime {
@@ -920,9 +945,13 @@ pub const cn_manifold = extern struct {
 
 /// A contact event, or the present state of a contact.
 pub const cn_contact_event = extern struct {
+    /// one shape of the pair
     shape_a: cn_shape,
+    /// the other
     shape_b: cn_shape,
+    /// of shape_a
     body_a: cn_body,
+    /// of shape_b
     body_b: cn_body,
     /// edge number within a chain, else 0
     child_a: i32,
@@ -946,6 +975,7 @@ pub const cn_contact_event = extern struct {
     hit_point_m: cn_vec2,
     /// cn_material.user_id of the shapes; 0 for CREATED, LEAVE and DESTROYED
     material_a: u32,
+    /// the same of shape_b
     material_b: u32,
 
     comptime {
@@ -955,12 +985,17 @@ pub const cn_contact_event = extern struct {
 
 /// A shape entered or left a sensor.
 pub const cn_sensor_event = extern struct {
+    /// the sensor
     sensor: cn_shape,
+    /// the shape that it met
     visitor: cn_shape,
+    /// the sensor's body
     sensor_body: cn_body,
+    /// the visitor's body
     visitor_body: cn_body,
     /// CN_EVENT_ENTER or CN_EVENT_LEAVE
     kind: i32,
+    /// 0
     reserved: u32,
 
     comptime {
@@ -983,18 +1018,20 @@ pub const cn_joint_base = extern struct {
     anchor_a_m: cn_vec2,
     /// the same for body b
     anchor_b_m: cn_vec2,
-    /// of the rigid parts, 0 to 1e6; 0 (default): as stiff as the substeps permit
+    /// of the rigid parts, > 0, to 1e6; CN_DEFAULT (default): as stiff as the substeps permit
     stiffness_hertz: f32,
-    /// used when stiffness_hertz > 0; 0 to 1e6
+    /// used with a stiffness_hertz; 0 to 1e6, default 0
     stiffness_damping_ratio: f32,
-    /// greatest force of anchors, axes and limits, >= 0; 0 (default): unbounded
+    /// greatest force of anchors, axes and limits, > 0; CN_DEFAULT (default): unbounded
     force_max_N: f32,
-    /// greatest torque of angles, >= 0; 0 (default): unbounded
+    /// greatest torque of angles, > 0; CN_DEFAULT (default): unbounded
     torque_max_Nm: f32,
-    /// a reaction above this in any substep is reported (cn_world_joint_events); 0 (default): never
+    /// a reaction above this in any substep is reported (cn_world_joint_events), > 0; CN_DEFAULT (default):
+    /// never
     break_force_N: f32,
     /// the same for the torque
     break_torque_Nm: f32,
+    /// a number for the user; default 0
     user_data: u64,
 
     comptime {
@@ -1004,10 +1041,13 @@ pub const cn_joint_base = extern struct {
 
 /// Two bodies share a point. The joint angle is angle b - angle a - reference, in (-pi, pi].
 pub const cn_revolute_def = extern struct {
+    /// what every joint has
     base: cn_joint_base,
+    /// angle b - angle a at joint angle 0
     reference_angle_rad: f32,
     /// CN_JOINT_LIMIT: -pi <= lower <= upper <= pi
     lower_angle_rad: f32,
+    /// the upper limit
     upper_angle_rad: f32,
     /// CN_JOINT_MOTOR
     motor_speed_radps: f32,
@@ -1029,11 +1069,13 @@ pub const cn_revolute_def = extern struct {
 /// length_m. With a spring, length_m is its rest length, and limits keep the distance within [min, max];
 /// limits alone make a rope (min 0).
 pub const cn_distance_def = extern struct {
+    /// what every joint has
     base: cn_joint_base,
     /// > 0; default 1
     length_m: f32,
     /// CN_JOINT_LIMIT: 0 <= min <= max; default 0 and 1
     length_min_m: f32,
+    /// the upper limit
     length_max_m: f32,
     /// CN_JOINT_MOTOR: along the axis, positive lengthens; with spring or limit only
     motor_speed_mps: f32,
@@ -1043,6 +1085,7 @@ pub const cn_distance_def = extern struct {
     spring_hertz: f32,
     /// 0 to 1e6
     spring_damping_ratio: f32,
+    /// 0
     reserved: f32,
 
     comptime {
@@ -1052,13 +1095,15 @@ pub const cn_distance_def = extern struct {
 
 /// Two welded bodies: no relative motion. base.stiffness_hertz makes the weld springy.
 pub const cn_fixed_def = extern struct {
+    /// what every joint has
     base: cn_joint_base,
     /// angle b - angle a
     reference_angle_rad: f32,
-    /// stiffness of the angle alone, 0 to 1e6; 0: the base's
+    /// stiffness of the angle alone, > 0, to 1e6; CN_DEFAULT (default): the base's
     angular_hertz: f32,
     /// 0 to 1e6
     angular_damping_ratio: f32,
+    /// 0
     reserved: f32,
 
     comptime {
@@ -1068,6 +1113,7 @@ pub const cn_fixed_def = extern struct {
 
 /// b slides along an axis fixed in a, without turning. The translation is along the axis from anchor a.
 pub const cn_prismatic_def = extern struct {
+    /// what every joint has
     base: cn_joint_base,
     /// in body a's frame, any length > 0 (read back with length 1); default (1, 0)
     axis: cn_vec2,
@@ -1075,6 +1121,7 @@ pub const cn_prismatic_def = extern struct {
     reference_angle_rad: f32,
     /// CN_JOINT_LIMIT: lower <= upper
     lower_m: f32,
+    /// the upper limit
     upper_m: f32,
     /// CN_JOINT_MOTOR
     motor_speed_mps: f32,
@@ -1095,11 +1142,13 @@ pub const cn_prismatic_def = extern struct {
 /// A wheel b on a suspension: b slides along an axis fixed in a, with spring and limits, and turns freely or
 /// by the motor.
 pub const cn_wheel_def = extern struct {
+    /// what every joint has
     base: cn_joint_base,
     /// in body a's frame, any length > 0 (read back with length 1); default (0, 1)
     axis: cn_vec2,
     /// CN_JOINT_LIMIT: lower <= upper
     lower_m: f32,
+    /// the upper limit
     upper_m: f32,
     /// CN_JOINT_MOTOR
     motor_speed_radps: f32,
@@ -1128,6 +1177,7 @@ pub const cn_motor_def = extern struct {
     hertz: f32,
     /// 0 to 1e6, default 1
     damping_ratio: f32,
+    /// 0
     reserved: f32,
 
     comptime {
@@ -1138,7 +1188,9 @@ pub const cn_motor_def = extern struct {
 /// Drags anchor b of body b to a world point by a spring. body_a must be 0, anchor_a_m is ignored, and
 /// base.force_max_N must be > 0.
 pub const cn_mouse_def = extern struct {
+    /// what every joint has
     base: cn_joint_base,
+    /// world
     target_m: cn_vec2,
     /// > 0, to 1e6; default 5
     hertz: f32,
@@ -1153,6 +1205,7 @@ pub const cn_mouse_def = extern struct {
 /// angle b = ratio * angle a + phase. Angles begin in (-pi, pi] at creation (or when the ratio is changed)
 /// and count whole turns from there.
 pub const cn_gear_def = extern struct {
+    /// what every joint has
     base: cn_joint_base,
     /// size 1e-4 to 1e4, negative: they turn against each other; default 1
     ratio: f32,
@@ -1167,6 +1220,7 @@ pub const cn_gear_def = extern struct {
 /// A rope over two pulleys: |anchor a - ground a| + ratio |anchor b - ground b| <= length. It pulls and never
 /// pushes.
 pub const cn_pulley_def = extern struct {
+    /// what every joint has
     base: cn_joint_base,
     /// world
     ground_a_m: cn_vec2,
@@ -1185,6 +1239,7 @@ pub const cn_pulley_def = extern struct {
 /// b may turn against a in one direction, and back only to the last click that it passed. Clicks lie at phase
 /// + n * click_rad for every whole number n, over whole turns.
 pub const cn_ratchet_def = extern struct {
+    /// what every joint has
     base: cn_joint_base,
     /// default 0
     phase_rad: f32,
@@ -1199,6 +1254,7 @@ pub const cn_ratchet_def = extern struct {
 /// A torque that pulls angle b - angle a to the rest angle, over whole turns. hertz refers to the inertia of
 /// the two bodies.
 pub const cn_rotary_spring_def = extern struct {
+    /// what every joint has
     base: cn_joint_base,
     /// default 0
     rest_angle_rad: f32,
@@ -1206,6 +1262,7 @@ pub const cn_rotary_spring_def = extern struct {
     hertz: f32,
     /// 0 to 1e6, default 0
     damping_ratio: f32,
+    /// 0
     reserved: f32,
 
     comptime {
@@ -1215,6 +1272,7 @@ pub const cn_rotary_spring_def = extern struct {
 
 /// Anchor b slides in a slot of body a from anchor a to end_m.
 pub const cn_groove_def = extern struct {
+    /// what every joint has
     base: cn_joint_base,
     /// in body a's frame; not equal to anchor a; default (1, 0)
     end_m: cn_vec2,
@@ -1226,6 +1284,7 @@ pub const cn_groove_def = extern struct {
 
 /// The two bodies do not collide; no other effect.
 pub const cn_filter_joint_def = extern struct {
+    /// what every joint has
     base: cn_joint_base,
 
     comptime {
@@ -1249,7 +1308,9 @@ pub const cn_joint_event = extern struct {
     torque_Nm: f32,
     /// 1: it broke, or one of its bodies was destroyed
     destroyed: u32,
+    /// 0
     reserved: u32,
+    /// the joint's or constraint's
     user_data: u64,
 
     comptime {
@@ -1260,6 +1321,7 @@ pub const cn_joint_event = extern struct {
 /// Keeps a body's angle within limits. The angle begins in (-pi, pi] at creation and counts whole turns from
 /// there.
 pub const cn_angle_constraint_def = extern struct {
+    /// set by the init function
     struct_size: u32,
     /// CN_CONSTRAINT_*; default 0
     flags: u32,
@@ -1267,13 +1329,15 @@ pub const cn_angle_constraint_def = extern struct {
     body: cn_body,
     /// lower <= upper; equal: locked
     lower_rad: f32,
+    /// the upper limit
     upper_rad: f32,
-    /// 0 (default): rigid; to 1e6
+    /// > 0, to 1e6; CN_DEFAULT (default): rigid
     hertz: f32,
-    /// used when hertz > 0; 0 to 1e6
+    /// used with a hertz; 0 to 1e6
     damping_ratio: f32,
-    /// a reaction above this is reported (cn_world_joint_events); 0: never
+    /// a reaction above this is reported (cn_world_joint_events), > 0; CN_DEFAULT (default): never
     break_torque_Nm: f32,
+    /// a number for the user; default 0
     user_data: u64,
 
     comptime {
@@ -1284,6 +1348,7 @@ pub const cn_angle_constraint_def = extern struct {
 /// Keeps a point of a body on a line in the world, within a tolerance on both sides, and between limits along
 /// the line.
 pub const cn_line_constraint_def = extern struct {
+    /// set by the init function
     struct_size: u32,
     /// CN_CONSTRAINT_*; default 0
     flags: u32,
@@ -1299,14 +1364,17 @@ pub const cn_line_constraint_def = extern struct {
     tolerance_m: f32,
     /// CN_CONSTRAINT_LIMIT: along the axis from origin; lower <= upper
     lower_m: f32,
+    /// the upper limit
     upper_m: f32,
-    /// 0 (default): rigid; to 1e6
+    /// > 0, to 1e6; CN_DEFAULT (default): rigid
     hertz: f32,
-    /// used when hertz > 0; 0 to 1e6
+    /// used with a hertz; 0 to 1e6
     damping_ratio: f32,
-    /// a reaction above this is reported (cn_world_joint_events); 0: never
+    /// a reaction above this is reported (cn_world_joint_events), > 0; CN_DEFAULT (default): never
     break_force_N: f32,
+    /// 0
     reserved: u32,
+    /// a number for the user; default 0
     user_data: u64,
 
     comptime {
@@ -1348,6 +1416,7 @@ pub const cn_ray = extern struct {
 pub const cn_ray_hit = extern struct {
     /// 0: nothing was hit
     shape: cn_shape,
+    /// the shape's
     body: cn_body,
     /// edge of a chain
     child: i32,
@@ -1359,6 +1428,7 @@ pub const cn_ray_hit = extern struct {
     normal: cn_vec2,
     /// depth of the start inside it, 0 outside
     depth_m: f32,
+    /// 0
     reserved: u32,
 
     comptime {
@@ -1380,6 +1450,7 @@ pub const cn_query_filter = extern struct {
     flags: u32,
     /// NULL (default): take all shapes
     visit: ?*const cn_query_fn,
+    /// last argument of visit
     user: ?*anyopaque,
 
     comptime {
@@ -1391,7 +1462,9 @@ pub const cn_query_filter = extern struct {
 pub const cn_closest = extern struct {
     /// 0: nothing within the distance
     shape: cn_shape,
+    /// the shape's
     body: cn_body,
+    /// edge of a chain
     child: i32,
     /// negative: depth inside a shape with area
     distance_m: f32,
@@ -1415,6 +1488,7 @@ pub const cn_distance = extern struct {
     normal: cn_vec2,
     /// of the surfaces; negative: the depth, the shortest translation of b out of a
     distance_m: f32,
+    /// 0
     reserved: u32,
 
     comptime {
@@ -1425,6 +1499,7 @@ pub const cn_distance = extern struct {
 /// A motion from fraction 0 to 1: a point of the shape moves in a straight line, and the shape turns about it
 /// at a constant rate.
 pub const cn_sweep = extern struct {
+    /// of the shape, before the motion
     start: cn_pose,
     /// that point, in the shape's frame: the centre of mass of a body
     center_m: cn_vec2,
@@ -1432,6 +1507,7 @@ pub const cn_sweep = extern struct {
     translation_m: cn_vec2,
     /// counter-clockwise, |turn| <= 1e4
     turn_rad: f32,
+    /// 0
     reserved: u32,
 
     comptime {
@@ -1443,6 +1519,7 @@ pub const cn_sweep = extern struct {
 pub const cn_impact = extern struct {
     /// CN_IMPACT_*
     state: i32,
+    /// of both motions, [0, 1]
     fraction: f32,
     /// HIT only, as are the next two: between the surfaces
     point_m: cn_vec2,
@@ -1450,6 +1527,7 @@ pub const cn_impact = extern struct {
     normal: cn_vec2,
     /// of the surfaces at fraction: distance_m to 0.1 mm (or the resolution of floats) above it
     distance_m: f32,
+    /// 0
     reserved: u32,
 
     comptime {
@@ -1470,7 +1548,9 @@ pub const cn_plane = extern struct {
     push_max_m: f32,
     /// its push in the last cn_mover_solve
     push_m: f32,
+    /// whose surface it is
     shape: cn_shape,
+    /// the shape's
     body: cn_body,
     /// edge of a chain
     child: i32,
@@ -1482,6 +1562,7 @@ pub const cn_plane = extern struct {
 
 /// How a character moves. It may change between moves: crouching is another shape.
 pub const cn_mover_def = extern struct {
+    /// set by the init function
     struct_size: u32,
     /// CN_MOVER_DROP; default 0
     flags: u32,
@@ -1515,6 +1596,7 @@ pub const cn_mover_def = extern struct {
 /// filter.ignored_body and follows by cn_body_set_target_pose. Initially all fields are 0 except the
 /// position.
 pub const cn_mover = extern struct {
+    /// of the shape's origin, world
     position_m: cn_vec2,
     /// in the air: of the world. On the ground: walking speed along the ground, relative to the ground, as
     /// its component across up; the one along up is 0, and a jump when the caller makes it > 0
@@ -1529,6 +1611,7 @@ pub const cn_mover = extern struct {
     ground_velocity_mps: cn_vec2,
     /// 0: none; a stale handle counts as none
     ground_body: cn_body,
+    /// the same for its shape
     ground_shape: cn_shape,
     /// CN_MOVER_ON_*, after the last move
     flags: u32,
@@ -1544,6 +1627,7 @@ pub const cn_mover = extern struct {
 /// Several areas act in the order of their priority, equal ones in that of cn_world_get_shapes; their
 /// accelerations, damping and forces add up.
 pub const cn_area_def = extern struct {
+    /// set by the init function
     struct_size: u32,
     /// CN_AREA_REPLACE; default 0
     flags: u32,
@@ -1555,8 +1639,8 @@ pub const cn_area_def = extern struct {
     center_m: cn_vec2,
     /// acceleration towards center_m; negative pushes; default 0
     pull_mps2: f32,
-    /// 0 (default): pull_mps2 at every distance; to 1e6 length units: at this distance, with its inverse
-    /// square outside, and falling to 0 at the centre: a homogeneous planet
+    /// CN_DEFAULT (default): pull_mps2 at every distance; > 0, to 1e6 length units: at this distance, with
+    /// its inverse square outside, and falling to 0 at the centre: a homogeneous planet
     pull_distance_m: f32,
     /// of the velocity relative to flow_mps, added to the body's own; of the displaced mass in a medium with
     /// density (which is the body's mass where it floats), else of the body's; 0 to 1e9, default 0
@@ -1580,6 +1664,7 @@ pub const cn_area_def = extern struct {
 
 /// Definition of an explosion.
 pub const cn_explosion_def = extern struct {
+    /// set by the init function
     struct_size: u32,
     /// full strength up to this distance of a shape's nearest point, 0 to 1e6 length units; default 1
     radius_m: f32,
@@ -1600,6 +1685,7 @@ pub const cn_explosion_def = extern struct {
 /// The user's drawing functions; NULL ones are not called. Colours are 0xRRGGBB. Points are in world
 /// coordinates.
 pub const cn_debug_draw = extern struct {
+    /// set by the init function
     struct_size: u32,
     /// CN_DRAW_*; default SHAPES | JOINTS | CONTACTS
     flags: u32,
@@ -1619,6 +1705,7 @@ pub const cn_debug_draw = extern struct {
     text: ?*const cn_debug_draw_text_fn,
     /// last argument of the functions
     user: ?*anyopaque,
+    /// 0
     reserved: ?*anyopaque,
 
     comptime {
@@ -1671,9 +1758,10 @@ pub extern fn cn_world_get_substep_count(world: *const cn_world, out_count: *i32
 pub extern fn cn_world_set_solver(world: *cn_world, solver: i32) cn_result;
 /// Reads the solver (CN_SOLVER_*).
 pub extern fn cn_world_get_solver(world: *const cn_world, out_solver: *i32) cn_result;
-/// Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, or CN_DEFAULT; 0 to 1e9, 0 for no limit.
+/// Sets accuracy_m and work_budget as in cn_world_def: metres >= 0 and 1 to 1e9, or CN_DEFAULT.
 pub extern fn cn_world_set_accuracy(world: *cn_world, accuracy_m: f32, work_budget: i32) cn_result;
-/// Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget.
+/// Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget
+/// (CN_DEFAULT: none).
 pub extern fn cn_world_get_accuracy(world: *const cn_world, out_accuracy_m: *f32, out_work_budget: *i32) cn_result;
 /// Reads how many workers a step can use: 1, or worker_count where the library supports threads.
 pub extern fn cn_world_get_worker_count(world: *const cn_world, out_count: *i32) cn_result;

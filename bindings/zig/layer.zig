@@ -299,13 +299,13 @@ pub const World = struct {
         return out0;
     }
 
-    /// Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, or CN_DEFAULT; 0 to 1e9, 0 for no
-    /// limit.
+    /// Sets accuracy_m and work_budget as in cn_world_def: metres >= 0 and 1 to 1e9, or CN_DEFAULT.
     pub fn setAccuracy(self: World, accuracy_m: f32, work_budget: i32) Error!void {
         return check(c.cn_world_set_accuracy(self.pointer, accuracy_m, work_budget));
     }
 
-    /// Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget.
+    /// Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget
+    /// (CN_DEFAULT: none).
     pub fn getAccuracy(self: World) Error!struct { accuracy_m: f32, work_budget: i32 } {
         var out0: f32 = undefined;
         var out1: i32 = undefined;

@@ -1,7 +1,7 @@
 #!/bin/sh
 # usage: scale.sh build-folder [kind]
-# Runs build-folder/bin/bench_scale, fits an exponent to each kind and draws. Writes scale.csv, exponents.csv, scale.svg
-# and scale.png into build-folder/scale.
+# Runs build-folder/bin/bench_scale, fits an exponent to each kind and draws. Writes scale.csv, exponents.csv and scale.svg into
+# build-folder/scale.
 #
 # The exponent is the slope of log ms over log bodies by least squares, from 1,000 to 100,000 bodies; beside each row
 # stands the local one, from the row before. The exit code is 1 when a kind is above 1.1.
@@ -54,8 +54,9 @@ END {
 }' "$out/scale.csv" > "$out/scale.txt"
 result=$?
 
-if python=$(sh test/stability/chart/python.sh); then
-	"$python" examples/bench/scale_plot.py "$out" || exit 2
+if command -v python3 >/dev/null 2>&1; then
+	python3 examples/bench/scale_plot.py "$out" || exit 2
+	echo "picture: $out/scale.svg"
 fi
 cat "$out/scale.txt"
 exit $result

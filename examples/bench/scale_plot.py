@@ -1,8 +1,9 @@
 """Draws the times of scale.sh: nanoseconds a body over the number of bodies, so that what grows as the number is level.
 
-    python3 examples/bench/scale_plot.py build/scale      reads scale.csv and exponents.csv, writes scale.svg and scale.png
+    python3 examples/bench/scale_plot.py build/scale      reads scale.csv and exponents.csv, writes scale.svg
 """
 import csv
+import math
 import os
 import sys
 
@@ -10,16 +11,19 @@ sys.dont_write_bytecode = True
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "..", "..", "test", "stability", "chart"))
 
-from picture import GOOD_COLOR, plt, save, set_ticks, short_number, ticks  # noqa: E402
+from picture import GREY, short_number, ticks  # noqa: E402
+from svg import Svg  # noqa: E402
 
 # Colours that the colour-blind tell apart: Okabe and Ito, 2008.
 LOOKS = {
-    "field": ("boxes and circles that are stirred", "#D55E00", "o"),
-    "piles": ("pyramids of 55 boxes that stand", "#0072B2", "s"),
-    "sweep": ("broadphase alone: sweep-and-prune", "#009E73", "^"),
-    "tree": ("broadphase alone: AABB tree", "#777777", "v"),
+    "field": ("boxes and circles that are stirred", "#D55E00", "circle"),
+    "piles": ("pyramids of 55 boxes that stand", "#0072B2", "square"),
+    "sweep": ("broadphase alone: sweep-and-prune", "#009E73", "up"),
+    "tree": ("broadphase alone: AABB tree", "#777777", "down"),
 }
 TARGET = 1.1
+LEFT, TOP, RIGHT, BOTTOM = 96.0, 112.0, 930.0, 560.0
+SUPERSCRIPT = str.maketrans("0123456789.", "⁰¹²³⁴⁵⁶⁷⁸⁹·")
 
 
 def read(path):
@@ -27,39 +31,69 @@ def read(path):
         return list(csv.DictReader(file))
 
 
-def draw_kind(axes, kind, rows, exponent):
-    words, color, marker = LOOKS[kind]
-    bodies, ns = [float(row["bodies"]) for row in rows], [float(row["ns_per_body"]) for row in rows]
-    axes.plot(bodies, ns, color=color, marker=marker, ms=8, lw=2.2, mec="white", mew=0.6, zorder=5, label=words)
+class Axes:
+    """Both logarithmic."""
+
+    def __init__(self, bodies, ns):
+        self.along = (min(bodies) / 1.3, max(bodies) * 1.5)
+        self.up = (min(ns) / 1.6, max(ns) * 1.6)
+
+    def at(self, bodies, ns):
+        part = lambda value, ends: math.log(value / ends[0]) / math.log(ends[1] / ends[0])  # noqa: E731
+        return LEFT + (RIGHT - LEFT) * part(bodies, self.along), BOTTOM - (BOTTOM - TOP) * part(ns, self.up)
+
+
+def draw_frame(page, axes):
+    for value in ticks(*axes.up, 12):
+        y = axes.at(axes.along[0], value)[1]
+        page.line(LEFT, y, RIGHT, y, "#DDDDDD", 0.7)
+        page.text(LEFT - 8, y + 4.5, short_number(value), 13, anchor="end")
+    for value in (10 ** k for k in range(3, 7)):
+        if axes.along[0] <= value <= axes.along[1]:
+            x = axes.at(value, axes.up[0])[0]
+            page.line(x, TOP, x, BOTTOM, "#DDDDDD", 0.7)
+            page.text(x, BOTTOM + 20, f"{value:,}", 13, anchor="middle")
+    page.path([(LEFT, TOP), (LEFT, BOTTOM), (RIGHT, BOTTOM)], "#222222")
+
+
+def draw_kind(page, axes, kind, rows, exponent):
+    _, color, marker = LOOKS[kind]
+    points = [(float(row["bodies"]), float(row["ns_per_body"])) for row in rows]
+    (first, ns), last = points[0], max(min(1e5, points[-1][0]), points[0][0])
     # The most that the target allows, from the first point.
-    axes.plot([bodies[0], 1e5], [ns[0], ns[0] * (1e5 / bodies[0]) ** (TARGET - 1.0)], color=color, lw=1.2, ls=(0, (5, 3)), alpha=0.7, zorder=3)
-    axes.annotate(f"$N^{{{exponent:.2f}}}$", (bodies[-1], ns[-1]), xytext=(11, 0), textcoords="offset points", color=color, fontsize=15, va="center")
+    page.path([axes.at(first, ns), axes.at(last, ns * (last / first) ** (TARGET - 1.0))], color, 1.2, "6 4")
+    page.path([axes.at(*point) for point in points], color, 2.4)
+    for point in points:
+        page.mark(marker, *axes.at(*point), 5.0, color)
+    x, y = axes.at(*points[-1])
+    page.text(x + 12, y + 5, "N" + f"{exponent:.2f}".translate(SUPERSCRIPT), 15, color, bold=True)
+
+
+def draw_legend(page, kinds):
+    for number, kind in enumerate(kinds):
+        words, color, marker = LOOKS[kind]
+        x, y = LEFT + 30 + 400 * (number % 2), 632 + 24 * (number // 2)
+        page.line(x, y - 5, x + 30, y - 5, color, 2.4)
+        page.mark(marker, x + 15, y - 5, 5.0, color)
+        page.text(x + 40, y, words, 13.5)
 
 
 def main():
     folder = sys.argv[1]
     rows = read(os.path.join(folder, "scale.csv"))
-    figure, axes = plt.subplots(figsize=(11, 8.2))
-    figure.subplots_adjust(left=0.095, right=0.965, top=0.86, bottom=0.2)
-    axes.set_xscale("log")
-    axes.set_yscale("log")
-    for fit in read(os.path.join(folder, "exponents.csv")):
-        draw_kind(axes, fit["kind"], [row for row in rows if row["kind"] == fit["kind"]], float(fit["exponent"]))
-    ns = [float(row["ns_per_body"]) for row in rows]
-    low, high = min(ns) / 1.6, max(ns) * 1.6
-    axes.set_xlim(800, 2.0 * max(float(row["bodies"]) for row in rows))
-    axes.set_ylim(low, high)
-    along, up = [1e3, 1e4, 1e5, 1e6], ticks(low, high, 12)
-    set_ticks(axes.xaxis, along, ["1,000", "10,000", "100,000", "1,000,000"], 12)
-    set_ticks(axes.yaxis, up, [short_number(value) for value in up], 12)
-    axes.grid(True, which="major", color="#DDDDDD", lw=0.7)
-    axes.set_xlabel("bodies N, at fixed density", fontsize=13)
-    axes.set_ylabel("nanoseconds of processor time a body and step", fontsize=13)
-    figure.text(0.03, 0.945, "What a body costs as worlds grow", fontsize=19, fontweight="bold")
-    figure.text(0.03, 0.895, "Level is linear: twice the bodies cost twice the time. Exponents are fitted from 1,000 to 100,000 bodies.", fontsize=12.5)
-    figure.text(0.03, 0.02, f"Dashed: the target, $N^{{{TARGET}}}$ from the first point.  One core, sleeping off.", fontsize=10.5, color="#444444")
-    figure.legend(loc="lower center", ncol=2, fontsize=12, frameon=False, bbox_to_anchor=(0.53, 0.055))
-    save(figure, os.path.join(folder, "scale"))
+    fits = read(os.path.join(folder, "exponents.csv"))
+    page = Svg(1030, 720)
+    axes = Axes([float(row["bodies"]) for row in rows], [float(row["ns_per_body"]) for row in rows])
+    page.text(32, 44, "What a body costs as worlds grow", 24, bold=True)
+    page.text(32, 72, "Level is linear: twice the bodies cost twice the time. Exponents are fitted from 1,000 to 100,000 bodies.", 13.5)
+    page.text(LEFT, TOP - 10, "nanoseconds of processor time a body and step", 12.5, GREY)
+    draw_frame(page, axes)
+    for fit in fits:
+        draw_kind(page, axes, fit["kind"], [row for row in rows if row["kind"] == fit["kind"]], float(fit["exponent"]))
+    page.text(0.5 * (LEFT + RIGHT), BOTTOM + 44, "bodies N, at fixed density", 13.5, anchor="middle")
+    draw_legend(page, [fit["kind"] for fit in fits])
+    page.text(32, 700, f"Dashed: the target, N{str(TARGET).translate(SUPERSCRIPT)} from the first point. One core, sleeping off.", 11.5, GREY)
+    page.save(os.path.join(folder, "scale.svg"))
 
 
 if __name__ == "__main__":

@@ -59,12 +59,12 @@ static void change_base(cost_world *w, cn_joint joint, float break_N, float most
 
 static void revolute_breaking(cost_world *w, cn_body a, cn_body b)
 {
-	change_base(w, add_revolute(w, a, b, CN_JOINT_BREAKS), 1000.0f, 0.0f);
+	change_base(w, add_revolute(w, a, b, CN_JOINT_BREAKS), 1000.0f, CN_DEFAULT);
 }
 
 static void revolute_bounded(cost_world *w, cn_body a, cn_body b)
 {
-	change_base(w, add_revolute(w, a, b, 0), 0.0f, 1000.0f);
+	change_base(w, add_revolute(w, a, b, 0), CN_DEFAULT, 1000.0f);
 }
 
 static void distance(cost_world *w, cn_body a, cn_body b)

@@ -5,6 +5,7 @@
  *     demo output-folder [scene]
  */
 #include "demo/draw.h"
+#include "demo/duel.h"
 #include "demo/gif.h"
 #include "demo/page.h"
 #include "demo/palette.h"
@@ -17,12 +18,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define PICTURE_AREA_PX 230000
-#define PICTURE_WIDTH_MAX_PX 900
+#define PICTURE_AREA_PX 340000
+#define PICTURE_WIDTH_MAX_PX 920
 #define STEPS_A_FRAME 2
 #define FRAME_CS 3
 #define REST_SPEED_MPS 0.02f
 #define SCENES_MAX 32
+#define DUELS_MAX 8
 
 /* ------------------------------------------------------------------ pictures */
 
@@ -214,6 +216,20 @@ static void print_figures(const demo_figures *d)
 static const char *const first[] = {"ragdolls", "bridge", "machines", "tumbler_1000"};
 #define PASSES ((int32_t)(sizeof first / sizeof first[0]) + 1)
 
+/* Films beside the pictures: films.sh. Without films there is nothing to show. */
+static int32_t make_duels(const palette *colors, const char *folder, duel_figures *out)
+{
+	char films[512];
+	int32_t count = 0;
+	snprintf(films, sizeof films, "%s/films", folder);
+	for (int32_t i = 0; i < duel_count() && count < DUELS_MAX; ++i)
+		count += duel_make(i, films, folder, colors, &out[count]);
+	for (int32_t i = 0; i < count; ++i)
+		for (int32_t e = 0; e < out[i].engines; ++e)
+			printf("%-15s %-10s %s\n", e == 0 ? out[i].name : "", out[i].engine[e], out[i].verdict[e]);
+	return count;
+}
+
 static int32_t in_pass(const scene *which, int32_t pass)
 {
 	int32_t own = 0;
@@ -226,7 +242,8 @@ int main(int argc, char **argv)
 {
 	static palette colors;
 	static demo_figures figures[SCENES_MAX];
-	int32_t count = 0, failed = 0;
+	static duel_figures duels[DUELS_MAX];
+	int32_t count = 0, failed = 0, duel_total;
 	if (argc < 2) {
 		fprintf(stderr, "usage: demo output-folder [scene]\n");
 		return 2;
@@ -246,7 +263,8 @@ int main(int argc, char **argv)
 		else
 			++failed;
 	}
-	if (!page_write(argv[1], figures, count))
+	duel_total = argc > 2 ? 0 : make_duels(&colors, argv[1], duels);
+	if (!page_write(argv[1], figures, count, 3, duels, duel_total))
 		++failed;
 	printf("pictures: %s/index.html\n", argv[1]);
 	return failed != 0;

@@ -8,11 +8,12 @@
 #include <stdio.h>
 
 static const char *const style =
-	"body{font:15px/1.45 system-ui,sans-serif;margin:2rem auto;max-width:960px;padding:0 1rem;color:#2d3138;background:#fff}"
-	"h1{margin-bottom:.2rem}h2{margin:.2rem 0 .6rem}section{margin:2.5rem 0;border-top:1px solid #dfe1e3;padding-top:1rem}"
-	"img{border:1px solid #dfe1e3;max-width:100%;height:auto;display:block}"
-	"dl{display:grid;grid-template-columns:repeat(auto-fill,minmax(220px,1fr));gap:.1rem 1.2rem;margin:.6rem 0;font-size:14px}"
-	"div{display:flex;justify-content:space-between;border-bottom:1px solid #f0f0ee}"
+	"body{font:15px/1.45 system-ui,sans-serif;margin:2rem auto;max-width:1120px;padding:0 1rem;color:#2d3138;background:#fff}"
+	"h1{margin-bottom:.2rem}h2{margin:.2rem 0 .6rem}h3{margin:1.4rem 0 .4rem;font-size:15px}section{margin:2.5rem 0;border-top:1px solid #dfe1e3;padding-top:1rem}"
+	"img{border:1px solid #dfe1e3;max-width:100%;height:auto;display:block}section>div{display:flex;flex-wrap:wrap;gap:0 1.6rem;border:0}"
+	"dl{display:grid;grid-template-columns:repeat(auto-fill,minmax(215px,1fr));align-content:start;gap:.1rem 1.2rem;margin:.4rem 0;flex:1 1 215px;font-size:14px}"
+	"dl div{display:flex;justify-content:space-between;border-bottom:1px solid #f0f0ee}"
+	"ul{display:grid;grid-template-columns:1fr 1fr 1fr;list-style:none;padding:0;margin:.4rem 0;max-width:100%;font-size:14px}"
 	"dt{color:#6a7078}dd{margin:0;white-space:nowrap;font-variant-numeric:tabular-nums}"
 	"i{display:inline-block;width:1em;height:1em;margin:0 .35em 0 1em;vertical-align:-.12em;border:1px solid #2d3138}code{font-size:13px}";
 
@@ -37,7 +38,7 @@ static void write_row(FILE *f, const char *what, const char *format, double valu
 static void write_scene(FILE *f, const demo_figures *d)
 {
 	fprintf(f, "<section id=\"%s\"><h2>%s</h2>\n", d->name, d->title);
-	fprintf(f, "<a href=\"%s.png\"><img src=\"%s.gif\" width=\"%" PRId32 "\" height=\"%" PRId32 "\" loading=\"lazy\" alt=\"%s\"></a>\n",
+	fprintf(f, "<div><a href=\"%s.png\"><img src=\"%s.gif\" width=\"%" PRId32 "\" height=\"%" PRId32 "\" loading=\"lazy\" alt=\"%s\"></a>\n",
 		d->name, d->name, d->width, d->height, d->title);
 	fputs("<dl>\n", f);
 	write_row(f, "bodies", "%.0f", (double)d->bodies);
@@ -51,10 +52,31 @@ static void write_scene(FILE *f, const demo_figures *d)
 	write_row(f, "worst overlap in motion", "%.1f mm", 1000.0 * (double)d->motion_overlap_m);
 	if (d->joints > 0)
 		write_row(f, "largest joint error", "%.2f mm", 1000.0 * (double)d->joint_error_m);
-	fprintf(f, "<div><dt>hash</dt><dd><code>%016" PRIx64 "</code></dd></div>\n</dl></section>\n", d->hash);
+	fprintf(f, "<div><dt>hash</dt><dd><code>%016" PRIx64 "</code></dd></div>\n</dl></div></section>\n", d->hash);
 }
 
-int32_t page_write(const char *folder, const demo_figures *figures, int32_t count)
+static void write_duel(FILE *f, const duel_figures *d)
+{
+	fprintf(f, "<h3>%s</h3>\n<img src=\"%s.gif\" width=\"%" PRId32 "\" height=\"%" PRId32 "\" loading=\"lazy\" alt=\"%s\">\n<ul style=\"width:%" PRId32 "px\">",
+		d->title, d->name, d->width, d->height, d->title, d->width);
+	for (int32_t e = 0; e < d->engines; ++e)
+		fprintf(f, "<li><b>%s</b> %s</li>", d->engine[e], d->verdict[e]);
+	fputs("</ul>\n", f);
+}
+
+static void write_duels(FILE *f, const duel_figures *duels, int32_t count)
+{
+	if (count == 0)
+		return;
+	fputs("<section id=\"engines\"><h2>The same scene in other engines</h2>\n<p>Default settings of each engine, 60 steps a second, the same "
+		  "program to the line (<code>test/stability</code>). The films of the other engines are stored; <code>make demo PEERS=1</code> makes them "
+		  "anew. Scenes in which the others are as good or better are in <a href=\"../../test/stability/chart/README.md\">the chart</a>.</p>\n", f);
+	for (int32_t i = 0; i < count; ++i)
+		write_duel(f, &duels[i]);
+	fputs("</section>\n", f);
+}
+
+int32_t page_write(const char *folder, const demo_figures *figures, int32_t count, int32_t first, const duel_figures *duels, int32_t duel_count)
 {
 	char path[512];
 	snprintf(path, sizeof path, "%s/index.html", folder);
@@ -67,8 +89,13 @@ int32_t page_write(const char *folder, const demo_figures *figures, int32_t coun
 			   "with all of them.</p>\n",
 		style);
 	write_legend(f);
-	for (int32_t i = 0; i < count; ++i)
+	for (int32_t i = 0; i < count; ++i) {
+		if (i == first)
+			write_duels(f, duels, duel_count);
 		write_scene(f, &figures[i]);
+	}
+	if (first >= count)
+		write_duels(f, duels, duel_count);
 	fputs("</html>\n", f);
 	return fclose(f) == 0;
 }

@@ -4,6 +4,8 @@
 #ifndef CAIRN_DEMO_PAGE_H
 #define CAIRN_DEMO_PAGE_H
 
+#include "demo/duel.h"
+
 #include <stdint.h>
 
 typedef struct demo_figures {
@@ -21,7 +23,7 @@ typedef struct demo_figures {
 	long gif_bytes;
 } demo_figures;
 
-/* folder gets index.html. 0 when it cannot be written. */
-int32_t page_write(const char *folder, const demo_figures *figures, int32_t count);
+/* folder gets index.html: the first scenes, duels, the other scenes. 0 when it cannot be written. */
+int32_t page_write(const char *folder, const demo_figures *figures, int32_t count, int32_t first, const duel_figures *duels, int32_t duel_count);
 
 #endif

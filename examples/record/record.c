@@ -16,6 +16,7 @@ typedef struct recorder {
 	void *user;
 	record_options options;
 	uint64_t step;
+	int32_t inside; /* a call is being made: what callbacks call is refused and not recorded */
 	coding_out out;
 } recorder;
 
@@ -167,7 +168,7 @@ int32_t record_begin(cn_world *world, const record_options *options, record_sink
 void record_end(cn_world *world)
 {
 	recorder *r = recorder_of(world);
-	if (r == NULL)
+	if (r == NULL || r->inside)
 		return;
 	send_check(r);
 	coding_free(&r->out);
@@ -187,12 +188,14 @@ cn_result record_call(cn_world *world, int32_t call, call_value *v)
 	const call_entry *entry = &call_entries[call];
 	recorder *r = recorder_of(world);
 	cn_result result;
-	if (r == NULL)
+	if (r == NULL || r->inside)
 		return entry->invoke(world, v);
 	coding_put(&r->out, (uint64_t)call, 2);
 	coding_put_call(&r->out, entry, v);
 	send(r, RECORD_CALL);
+	r->inside = 1;
 	result = entry->invoke(world, v);
+	r->inside = 0;
 	coding_put(&r->out, (uint32_t)result, 4);
 	if (result == CN_OK)
 		coding_put_results(&r->out, entry, v);

@@ -10,8 +10,8 @@
  *     record_end(world);
  *
  * A call is written before it is made and its result afterwards, so that a recording that ends in a crash ends with the call that
- * crashed. Worlds of one thread only: the list of recorded worlds is not locked. User callbacks are not recorded: a
- * replay of a game whose callbacks change the motion differs.
+ * crashed. Calls from callbacks, which the library refuses, are not recorded. Worlds of one thread only: the list of recorded worlds is
+ * not locked. User callbacks are not recorded: a replay of a game whose callbacks change the motion differs.
  *
  * A recording is a header of 8 bytes, "CairnRec", and records: kind (1), bytes (8), then
  *

@@ -21,7 +21,7 @@ static const scene scenes[] = {
 	{"car", "A car with two driven wheels on one smooth chain", scene_create_car, NULL, 600, 0, SCENE_DEMO, EARTH,
 		VIEW(-12.0f, -4.5f, 12.0f, 6.5f), VIEW(-25.0f, -10.0f, 185.0f, 50.0f)},
 	{"ragdolls", "36 ragdolls fall into a valley", scene_create_ragdolls, scene_step_ragdolls, 480, 36, SCENE_DEMO | SCENE_SLEEP, EARTH,
-		VIEW(-7.5f, -0.6f, 7.5f, 8.4f), VIEW(-8.0f, -2.0f, 8.0f, 40.0f)},
+		VIEW(-7.5f, -0.6f, 7.5f, 6.6f), VIEW(-8.0f, -2.0f, 8.0f, 40.0f)},
 	{"dominoes", "A ball, 40 dominoes and the edge of a table", scene_create_dominoes, NULL, 600, 40, SCENE_DEMO | SCENE_SLEEP, EARTH,
 		VIEW(-20.0f, -4.8f, 20.0f, 4.0f), VIEW(-25.0f, -5.0f, 25.0f, 40.0f)},
 	{"falling_hinges", "Hinged boxes topple: the scene of the golden hashes", scene_create_hinges, NULL, 480, 30,

@@ -116,7 +116,7 @@ static float back_and_forth(int32_t step_index, int32_t steps) { return step_ind
 
 /* ------------------------------------------------------------------ fixed */
 
-/* Four boxes welded to each other and to the world; angular_hertz 0: rigid. */
+/* Four boxes welded to each other and to the world; angular_hertz CN_DEFAULT: rigid. */
 static void add_cantilever(const place *p, float y_m, float angular_hertz)
 {
 	cn_body last = 0;
@@ -138,7 +138,7 @@ static void add_cantilever(const place *p, float y_m, float angular_hertz)
 static void add_fixed(const place *p)
 {
 	put_wall(p, -1.9f, 1.5f, 0.08f, 1.5f);
-	add_cantilever(p, 2.7f, 0.0f);
+	add_cantilever(p, 2.7f, CN_DEFAULT);
 	add_cantilever(p, 1.7f, 10.0f);
 }
 
@@ -540,8 +540,8 @@ static cn_body put_bead(const place *p, float y_m, float tolerance_m, float hert
 /* Beads on a rigid line, on one with free play and on a springy one. */
 static void add_beads(const place *p, exhibits *e)
 {
-	e->beads[0] = put_bead(p, 3.0f, 0.0f, 0.0f);
-	e->beads[1] = put_bead(p, 2.1f, 0.12f, 0.0f);
+	e->beads[0] = put_bead(p, 3.0f, 0.0f, CN_DEFAULT);
+	e->beads[1] = put_bead(p, 2.1f, 0.12f, CN_DEFAULT);
 	e->beads[2] = put_bead(p, 1.2f, 0.0f, 2.0f);
 }
 

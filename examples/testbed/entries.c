@@ -10,6 +10,8 @@ static const testbed_entry examples[] = {
 	{&entry_breakable_wall, 1.0f},
 	{&entry_conveyor, 1.0f},
 	{&entry_mouse, 1.0f},
+	{&entry_wind, 1.0f},
+	{&entry_areas, 1.0f},
 	{&entry_destructible_terrain, 1.0f},
 	{&entry_platformer, 1.0f},
 };

@@ -10,6 +10,8 @@ extern const scene entry_billiards;
 extern const scene entry_breakable_wall;
 extern const scene entry_conveyor;
 extern const scene entry_mouse;
+extern const scene entry_wind;
+extern const scene entry_areas;
 extern const scene entry_destructible_terrain;
 extern const scene entry_platformer;
 

@@ -85,7 +85,7 @@ void testbed_apply(testbed *t)
 		return;
 	cn_world_set_solver(t->run.world, t->solver);
 	cn_world_set_substep_count(t->run.world, t->substeps);
-	cn_world_set_accuracy(t->run.world, t->accuracy_m * testbed_at(t->entry).length_unit_m, 0);
+	cn_world_set_accuracy(t->run.world, t->accuracy_m * testbed_at(t->entry).length_unit_m, CN_DEFAULT);
 	cn_world_get_gravity(t->run.world, &gravity);
 	cn_world_set_gravity(t->run.world, gravity.x, t->gravity_mps2);
 	cn_world_get_flags(t->run.world, &flags);

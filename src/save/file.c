@@ -83,7 +83,7 @@ static void def_take_settings(cn_world_def *def, const cni_settings *s)
 	def->sleep_speed_mps = s->sleep_speed;
 	def->sleep_delay_s = s->sleep_delay;
 	def->accuracy_m = s->accuracy;
-	def->work_budget = s->work_budget;
+	def->work_budget = s->work_budget == 0 ? CN_DEFAULT : s->work_budget;
 }
 
 /* The settings of a file are those of a definition. */

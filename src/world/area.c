@@ -14,6 +14,7 @@ void cn_area_def_init(cn_area_def *def)
 		return;
 	memset(def, 0, sizeof *def);
 	def->struct_size = (uint32_t)sizeof *def;
+	def->pull_distance_m = CN_DEFAULT;
 }
 
 static void check_def(cni_call *call, const cn_area_def *def)
@@ -28,7 +29,7 @@ static void check_def(cni_call *call, const cn_area_def *def)
 	cni_check_finite2(call, "gravity_mps2", def->gravity_mps2);
 	cni_check_position(call, "center_m", def->center_m);
 	cni_check_finite(call, "pull_mps2", def->pull_mps2);
-	cni_check_range(call, "pull_distance_m", def->pull_distance_m, 0.0f, CNI_POSITION_MAX_UNITS * call->world->settings.length_unit);
+	cni_check_above_0_or_default(call, "pull_distance_m", def->pull_distance_m, CNI_POSITION_MAX_UNITS * call->world->settings.length_unit);
 	cni_check_range(call, "linear_damping_per_s", def->linear_damping_per_s, 0.0f, COEFFICIENT_MAX);
 	cni_check_range(call, "angular_damping_per_s", def->angular_damping_per_s, 0.0f, COEFFICIENT_MAX);
 	cni_check_range(call, "density_kgpm2", def->density_kgpm2, 0.0f, COEFFICIENT_MAX);
@@ -47,7 +48,7 @@ static cni_area area_of_def(const cn_area_def *def, int32_t shape)
 	a.gravity = def->gravity_mps2;
 	a.center = def->center_m;
 	a.pull = def->pull_mps2;
-	a.pull_distance = def->pull_distance_m;
+	a.pull_distance = cni_zero_of_default(def->pull_distance_m);
 	a.linear_damping = def->linear_damping_per_s;
 	a.angular_damping = def->angular_damping_per_s;
 	a.density = def->density_kgpm2;
@@ -109,7 +110,7 @@ cn_result cn_shape_get_area(const cn_world *world, cn_shape shape, cn_area_def *
 	out->gravity_mps2 = a->gravity;
 	out->center_m = a->center;
 	out->pull_mps2 = a->pull;
-	out->pull_distance_m = a->pull_distance;
+	out->pull_distance_m = cni_default_of_zero(a->pull_distance);
 	out->linear_damping_per_s = a->linear_damping;
 	out->angular_damping_per_s = a->angular_damping;
 	out->density_kgpm2 = a->density;

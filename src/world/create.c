@@ -25,6 +25,7 @@ void cn_world_def_init(cn_world_def *def)
 	def->length_unit_m = 1.0f;
 	def->substep_count = 4;
 	def->accuracy_m = CN_DEFAULT;
+	def->work_budget = CN_DEFAULT;
 	def->restitution_threshold_mps = CN_DEFAULT;
 	def->push_speed_max_mps = CN_DEFAULT;
 	def->linear_speed_max_mps = CN_DEFAULT;
@@ -32,6 +33,7 @@ void cn_world_def_init(cn_world_def *def)
 	def->sleep_speed_mps = CN_DEFAULT;
 	def->sleep_delay_s = 0.5f;
 	def->hit_speed_mps = CN_DEFAULT;
+	def->worker_count = 1;
 	def->touching_capacity = CN_DEFAULT;
 	def->event_capacity = CN_DEFAULT;
 	def->vertex_capacity = CN_POLYGON_MAX_VERTICES;
@@ -48,7 +50,7 @@ static void def_check_numbers(cni_call *call, const cn_world_def *d)
 	cni_check_range_int(call, "broadphase", d->broadphase, CN_BROADPHASE_SWEEP, CN_BROADPHASE_TREE);
 	cni_check_range_int(call, "substep_count", d->substep_count, 1, 64);
 	cni_check_at_least_or_default(call, "accuracy_m", d->accuracy_m);
-	cni_check_range_int(call, "work_budget", d->work_budget, 0, CNI_CONSTRAINT_BUDGET_MAX);
+	cni_check_work_budget(call, d->work_budget);
 	cni_check_at_least_or_default(call, "restitution_threshold_mps", d->restitution_threshold_mps);
 	cni_check_positive_or_default(call, "push_speed_max_mps", d->push_speed_max_mps);
 	cni_check_positive_or_default(call, "linear_speed_max_mps", d->linear_speed_max_mps);
@@ -56,7 +58,7 @@ static void def_check_numbers(cni_call *call, const cn_world_def *d)
 	cni_check_at_least_or_default(call, "sleep_speed_mps", d->sleep_speed_mps);
 	cni_check_at_least(call, "sleep_delay_s", d->sleep_delay_s, 0.0f);
 	cni_check_at_least_or_default(call, "hit_speed_mps", d->hit_speed_mps);
-	cni_check_range_int(call, "worker_count", d->worker_count, 0, CN_WORKERS_MAX);
+	cni_check_range_int(call, "worker_count", d->worker_count, 1, CN_WORKERS_MAX);
 }
 
 static void def_check_memory(cni_call *call, const cn_world_def *d)
@@ -130,7 +132,7 @@ static void settings_resolve(cni_settings *set, const cn_world_def *d)
 	set->slop = 0.005f * unit;
 	set->thickness_least = CNI_THICKNESS_LEAST * unit;
 	set->accuracy = or_default(d->accuracy_m, set->slop);
-	set->work_budget = d->work_budget;
+	set->work_budget = d->work_budget == CN_DEFAULT ? 0 : d->work_budget;
 	set->contact_margin = 4.0f * set->slop;
 	set->box_margin = 0.1f * unit;
 }

@@ -337,10 +337,24 @@ void cni_check_positive_or_default(cni_call *call, const char *field, float valu
 		cni_check_positive(call, field, value);
 }
 
+void cni_check_above_0_or_default(cni_call *call, const char *field, float value, float upper)
+{
+	if (value == (float)CN_DEFAULT)
+		return;
+	cni_check_positive(call, field, value);
+	cni_check_range(call, field, value, 0.0f, upper);
+}
+
 void cni_check_range(cni_call *call, const char *field, float value, float lower, float upper)
 {
 	if (!(value >= lower && value <= upper))
 		refuse(call, CN_ERROR_ARGUMENT, "%s %f; must be from %f to %f", field, (double)value, (double)lower, (double)upper);
+}
+
+void cni_check_work_budget(cni_call *call, int32_t value)
+{
+	if (value != CN_DEFAULT)
+		cni_check_range_int(call, "work_budget", value, 1, CNI_CONSTRAINT_BUDGET_MAX);
 }
 
 void cni_check_range_int(cni_call *call, const char *field, int32_t value, int32_t lower, int32_t upper)

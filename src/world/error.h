@@ -91,9 +91,18 @@ void cni_check_at_least(cni_call *call, const char *field, float value, float lo
 /* >= 0 (> 0), or CN_DEFAULT. */
 void cni_check_at_least_or_default(cni_call *call, const char *field, float value);
 void cni_check_positive_or_default(cni_call *call, const char *field, float value);
+/* > 0 and at most upper, or CN_DEFAULT. */
+void cni_check_above_0_or_default(cni_call *call, const char *field, float value, float upper);
 void cni_check_positive(cni_call *call, const char *field, float value);
 void cni_check_range(cni_call *call, const char *field, float value, float lower, float upper);
 void cni_check_range_int(cni_call *call, const char *field, int32_t value, int32_t lower, int32_t upper);
+/* 1 to CNI_CONSTRAINT_BUDGET_MAX, or CN_DEFAULT. */
+void cni_check_work_budget(cni_call *call, int32_t value);
+
+/* Records hold 0 where a definition's CN_DEFAULT means no limit, rigid or never, and the definition refuses 0. */
+static inline float cni_zero_of_default(float value) { return value == (float)CN_DEFAULT ? 0.0f : value; }
+static inline float cni_default_of_zero(float value) { return value == 0.0f ? (float)CN_DEFAULT : value; }
+
 /* The flags of a world that this build permits. */
 #define CNI_RESERVE_ALL (uint32_t)(CN_RESERVE_NAMES | CN_RESERVE_CHAINS | CN_RESERVE_EXTRA_ROWS | CN_RESERVE_MOVED)
 #define CNI_WORLD_FLAGS \

@@ -31,12 +31,12 @@ static void check_bodies(cni_call *call, const cn_joint_base *base)
 
 void cni_check_joint_strength(cni_call *call, int32_t type, const cn_joint_base *base)
 {
-	cni_check_range(call, "stiffness_hertz", base->stiffness_hertz, 0.0f, CNI_HERTZ_MAX);
+	cni_check_above_0_or_default(call, "stiffness_hertz", base->stiffness_hertz, CNI_HERTZ_MAX);
 	cni_check_range(call, "stiffness_damping_ratio", base->stiffness_damping_ratio, 0.0f, CNI_DAMPING_RATIO_MAX);
-	cni_check_at_least(call, "force_max_N", base->force_max_N, 0.0f);
-	cni_check_at_least(call, "torque_max_Nm", base->torque_max_Nm, 0.0f);
-	cni_check_at_least(call, "break_force_N", base->break_force_N, 0.0f);
-	cni_check_at_least(call, "break_torque_Nm", base->break_torque_Nm, 0.0f);
+	cni_check_positive_or_default(call, "force_max_N", base->force_max_N);
+	cni_check_positive_or_default(call, "torque_max_Nm", base->torque_max_Nm);
+	cni_check_positive_or_default(call, "break_force_N", base->break_force_N);
+	cni_check_positive_or_default(call, "break_torque_Nm", base->break_torque_Nm);
 	if (cni_joint_kind_of(type)->has & CNI_KIND_NEEDS_FORCE_MAX)
 		cni_check_positive(call, "force_max_N of this type", base->force_max_N);
 	if (type == CN_JOINT_MOTOR_TO)
@@ -45,12 +45,12 @@ void cni_check_joint_strength(cni_call *call, int32_t type, const cn_joint_base 
 
 void cni_joint_store_strength(cni_joint *j, const cn_joint_base *base)
 {
-	j->stiffness_hertz = base->stiffness_hertz;
+	j->stiffness_hertz = cni_zero_of_default(base->stiffness_hertz);
 	j->stiffness_damping = base->stiffness_damping_ratio;
-	j->force_max = base->force_max_N;
-	j->torque_max = base->torque_max_Nm;
-	j->break_force = base->break_force_N;
-	j->break_torque = base->break_torque_Nm;
+	j->force_max = cni_zero_of_default(base->force_max_N);
+	j->torque_max = cni_zero_of_default(base->torque_max_Nm);
+	j->break_force = cni_zero_of_default(base->break_force_N);
+	j->break_torque = cni_zero_of_default(base->break_torque_Nm);
 }
 
 static void base_read(const cn_world *world, const cni_joint *j, cn_joint_base *out)
@@ -61,12 +61,12 @@ static void base_read(const cn_world *world, const cni_joint *j, cn_joint_base *
 	out->body_b = cni_handle_or_zero(&world->body_handles, j->body[1]);
 	out->anchor_a_m = j->anchor[0];
 	out->anchor_b_m = j->anchor[1];
-	out->stiffness_hertz = j->stiffness_hertz;
+	out->stiffness_hertz = cni_default_of_zero(j->stiffness_hertz);
 	out->stiffness_damping_ratio = j->stiffness_damping;
-	out->force_max_N = j->force_max;
-	out->torque_max_Nm = j->torque_max;
-	out->break_force_N = j->break_force;
-	out->break_torque_Nm = j->break_torque;
+	out->force_max_N = cni_default_of_zero(j->force_max);
+	out->torque_max_Nm = cni_default_of_zero(j->torque_max);
+	out->break_force_N = cni_default_of_zero(j->break_force);
+	out->break_torque_Nm = cni_default_of_zero(j->break_torque);
 	out->user_data = j->user_data;
 }
 

@@ -21,7 +21,9 @@ enum {
 	LOWER,         /* checked with UPPER, the next field */
 	UPPER,
 	HERTZ,
-	HERTZ_ABOVE_0, /* hertz > 0, of types that are only a spring */
+	HERTZ_ABOVE_0, /* of types that are only a spring */
+	HERTZ_OR_RIGID, /* > 0, or CN_DEFAULT, which is stored as 0; so is */
+	BREAK,         /* ... this threshold */
 	DAMPING,
 	RATIO,         /* of either sign */
 	RATIO_ABOVE_0,
@@ -63,7 +65,7 @@ static const cni_joint_field distance_fields[] = {
 };
 static const cni_joint_field fixed_fields[] = {
 	FIELD(cn_fixed_def, reference_angle_rad, P(CNI_P_REFERENCE), ANGLE, 0.0f),
-	FIELD(cn_fixed_def, angular_hertz, P(CNI_P_HERTZ), HERTZ, 0.0f),
+	FIELD(cn_fixed_def, angular_hertz, P(CNI_P_HERTZ), HERTZ_OR_RIGID, CN_DEFAULT),
 	FIELD(cn_fixed_def, angular_damping_ratio, P(CNI_P_DAMPING), DAMPING, 0.0f)
 };
 static const cni_joint_field prismatic_fields[] = {
@@ -122,9 +124,9 @@ static const cni_joint_field groove_fields[] = {
 static const cni_joint_field angle_fields[] = {
 	FIELD(cn_angle_constraint_def, lower_rad, P(CNI_P_LOWER), LOWER, 0.0f),
 	FIELD(cn_angle_constraint_def, upper_rad, P(CNI_P_UPPER), UPPER, 0.0f),
-	FIELD(cn_angle_constraint_def, hertz, offsetof(cni_joint, stiffness_hertz), HERTZ, 0.0f),
+	FIELD(cn_angle_constraint_def, hertz, offsetof(cni_joint, stiffness_hertz), HERTZ_OR_RIGID, CN_DEFAULT),
 	FIELD(cn_angle_constraint_def, damping_ratio, offsetof(cni_joint, stiffness_damping), DAMPING, 0.0f),
-	FIELD(cn_angle_constraint_def, break_torque_Nm, offsetof(cni_joint, break_torque), AT_LEAST_0, 0.0f),
+	FIELD(cn_angle_constraint_def, break_torque_Nm, offsetof(cni_joint, break_torque), BREAK, CN_DEFAULT),
 	FIELD(cn_angle_constraint_def, user_data, offsetof(cni_joint, user_data), USER_DATA, 0.0f)
 };
 static const cni_joint_field line_fields[] = {
@@ -134,9 +136,9 @@ static const cni_joint_field line_fields[] = {
 	FIELD(cn_line_constraint_def, tolerance_m, P(CNI_P_LINE_TOLERANCE), AT_LEAST_0, 0.0f),
 	FIELD(cn_line_constraint_def, lower_m, P(CNI_P_LOWER), LOWER, 0.0f),
 	FIELD(cn_line_constraint_def, upper_m, P(CNI_P_UPPER), UPPER, 0.0f),
-	FIELD(cn_line_constraint_def, hertz, offsetof(cni_joint, stiffness_hertz), HERTZ, 0.0f),
+	FIELD(cn_line_constraint_def, hertz, offsetof(cni_joint, stiffness_hertz), HERTZ_OR_RIGID, CN_DEFAULT),
 	FIELD(cn_line_constraint_def, damping_ratio, offsetof(cni_joint, stiffness_damping), DAMPING, 0.0f),
-	FIELD(cn_line_constraint_def, break_force_N, offsetof(cni_joint, break_force), AT_LEAST_0, 0.0f),
+	FIELD(cn_line_constraint_def, break_force_N, offsetof(cni_joint, break_force), BREAK, CN_DEFAULT),
 	FIELD(cn_line_constraint_def, user_data, offsetof(cni_joint, user_data), USER_DATA, 0.0f)
 };
 
@@ -170,6 +172,8 @@ static size_t field_bytes(const cni_joint_field *field)
 {
 	return field->values >= VECTORS ? sizeof(cn_vec2) : field->values == USER_DATA ? sizeof(uint64_t) : sizeof(float);
 }
+
+static int32_t has_default(const cni_joint_field *field) { return field->values == HERTZ_OR_RIGID || field->values == BREAK; }
 
 static void check_ratio(cni_call *call, const char *field, float ratio)
 {
@@ -213,6 +217,8 @@ static void check_number(cni_call *call, int32_t type, const cni_joint_field *fi
 	case UPPER: cni_check_joint_limits(call, type, before, value); break;
 	case HERTZ_ABOVE_0: cni_check_positive(call, field->name, value); /* fall through */
 	case HERTZ: cni_check_range(call, field->name, value, 0.0f, CNI_HERTZ_MAX); break;
+	case HERTZ_OR_RIGID: cni_check_above_0_or_default(call, field->name, value, CNI_HERTZ_MAX); break;
+	case BREAK: cni_check_positive_or_default(call, field->name, value); break;
 	case DAMPING: cni_check_range(call, field->name, value, 0.0f, CNI_DAMPING_RATIO_MAX); break;
 	case RATIO: check_ratio(call, field->name, value); break;
 	case RATIO_ABOVE_0: cni_check_range(call, field->name, value, RATIO_MIN, RATIO_MAX); break;
@@ -255,6 +261,19 @@ void cni_joint_def_init(int32_t type, void *def)
 	for (k = 0; k < kind->field_count; ++k)
 		if (kind->fields[k].values != USER_DATA)
 			memcpy((char *)def + kind->fields[k].in_def, &kind->fields[k].initial, field_bytes(kind->fields + k));
+	if (!cni_joint_is_constraint(type)) {
+		cn_joint_base *base = (cn_joint_base *)def;
+		base->stiffness_hertz = base->force_max_N = base->torque_max_Nm = base->break_force_N = base->break_torque_Nm = CN_DEFAULT;
+	}
+}
+
+/* Replaces a number by a function of it. */
+static void turn(void *number, float (*function)(float))
+{
+	float value;
+	memcpy(&value, number, sizeof value);
+	value = function(value);
+	memcpy(number, &value, sizeof value);
 }
 
 void cni_joint_store_axis(cni_joint *j, cn_vec2 axis)
@@ -273,6 +292,8 @@ void cni_joint_def_store(cni_joint *j, const void *def)
 	for (k = 0; k < kind->field_count; ++k) {
 		const cni_joint_field *field = kind->fields + k;
 		memcpy((char *)j + field->in_joint, (const char *)def + field->in_def, field_bytes(field));
+		if (has_default(field))
+			turn((char *)j + field->in_joint, cni_zero_of_default);
 		if (field->values == AXIS)
 			cni_joint_store_axis(j, cni_v(j->p[CNI_P_AXIS_X], j->p[CNI_P_AXIS_Y]));
 	}
@@ -287,6 +308,10 @@ void cni_joint_def_read(const cni_joint *j, void *def)
 {
 	const cni_joint_kind *kind = cni_joint_kind_of(j->type);
 	int32_t k;
-	for (k = 0; k < kind->field_count; ++k)
-		memcpy((char *)def + kind->fields[k].in_def, (const char *)j + kind->fields[k].in_joint, field_bytes(kind->fields + k));
+	for (k = 0; k < kind->field_count; ++k) {
+		const cni_joint_field *field = kind->fields + k;
+		memcpy((char *)def + field->in_def, (const char *)j + field->in_joint, field_bytes(field));
+		if (has_default(field))
+			turn((char *)def + field->in_def, cni_default_of_zero);
+	}
 }

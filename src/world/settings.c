@@ -71,11 +71,11 @@ cn_result cn_world_set_accuracy(cn_world *world, float accuracy_m, int32_t work_
 {
 	cni_call call = cni_enter(world, __func__);
 	cni_check_at_least_or_default(&call, "accuracy_m", accuracy_m);
-	cni_check_range_int(&call, "work_budget", work_budget, 0, CNI_CONSTRAINT_BUDGET_MAX);
+	cni_check_work_budget(&call, work_budget);
 	if (call.result != CN_OK)
 		return call.result;
 	world->settings.accuracy = accuracy_m == (float)CN_DEFAULT ? world->settings.slop : accuracy_m;
-	world->settings.work_budget = work_budget;
+	world->settings.work_budget = work_budget == CN_DEFAULT ? 0 : work_budget;
 	return CN_OK;
 }
 
@@ -87,7 +87,7 @@ cn_result cn_world_get_accuracy(const cn_world *world, float *out_accuracy_m, in
 	if (call.result != CN_OK)
 		return call.result;
 	*out_accuracy_m = world->settings.accuracy;
-	*out_work_budget = world->settings.work_budget;
+	*out_work_budget = world->settings.work_budget == 0 ? CN_DEFAULT : world->settings.work_budget;
 	return CN_OK;
 }
 

@@ -346,7 +346,7 @@ static cn_world *world_of(uint32_t choice, int32_t twin)
 	cn_world_def_init(&def);
 	def.solver = (int32_t)(choice & 3u);
 	def.broadphase = (int32_t)(choice >> 2 & 1u) ^ twin;
-	def.worker_count = twin && (choice & 16u) ? 2 : 0;
+	def.worker_count = twin && (choice & 16u) ? 2 : 1;
 	FUZZ_REQUIRE(cn_world_create(&def, &world) == CN_OK);
 	return world;
 }

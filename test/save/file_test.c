@@ -1,11 +1,11 @@
 /*
- * test/world/file_test.c - a world that is read from its bytes goes on bit for bit like the written one, with the game's handles, after
+ * test/save/file_test.c - a world that is read from its bytes goes on bit for bit like the written one, with the game's handles, after
  * every kind of history and in memory of every kind; the bytes are the same on every machine; whatever is no written world is refused.
  */
 #include "files.h"
 
 #include "world/joints.h"
-#include "world/file.h"
+#include "save/file.h"
 
 #define LOCKSTEP 40
 

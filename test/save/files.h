@@ -47,7 +47,7 @@ static inline cn_world *read_into(const saved *f, const setting *s, void **out_b
 	cn_world *world = NULL;
 	cn_world_def_init(&def);
 	def.solver = s->solver;
-	def.worker_count = s->workers;
+	def.worker_count = s->workers > 0 ? s->workers : 1;
 	*out_block = s->in_block ? block_for(&def) : NULL;
 	must(cn_world_read(&def, f->data, f->bytes, &world), NULL, "cn_world_read");
 	return world;

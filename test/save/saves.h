@@ -80,7 +80,7 @@ static inline cn_world *world_of(const scene *which, const setting *s, void **ou
 	scene_world_def(which, &def);
 	def.solver = s->solver;
 	def.broadphase = s->broadphase;
-	def.worker_count = s->workers;
+	def.worker_count = s->workers > 0 ? s->workers : 1;
 	*out_block = s->in_block ? block_for(&def) : NULL;
 	must(cn_world_create(&def, &world), NULL, "cn_world_create");
 	return world;

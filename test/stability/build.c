@@ -22,7 +22,7 @@ static void *grown(void *memory, int32_t count, int32_t *capacity, size_t bytes)
 
 static void keep_item(scene_run *run, cn_body body, double x, double y)
 {
-	scene_item item = { 0, 0.0, 0.0, 0.0, 0.0 };
+	scene_item item = { 0, 0.0, 0.0, 0.0, 0.0, { 0, 0, 0 } };
 	item.body = body;
 	item.x = x;
 	item.y = y;
@@ -53,6 +53,7 @@ cn_body scene_body(scene_run *run, int32_t type, double x, double y, double angl
 	def.angle_rad = (float)angle;
 	if (scene_check(run, cn_body_create(run->world, &def, &body)) && type == CN_BODY_DYNAMIC)
 		keep_item(run, body, (double)def.position_m.x - run->far_m, (double)def.position_m.y);
+	scene_film_body(run, type, &def);
 	return body;
 }
 
@@ -88,7 +89,10 @@ cn_body scene_box(scene_run *run, int32_t type, double x, double y, double angle
 	cn_body body = scene_body(run, type, x, y, angle);
 	cn_shape_def def = surface(run, body);
 	double size = scene_value(run, "size");
-	float hx = (float)(half_x * size), hy = (float)(half_y * size);
+	float hx = (float)(half_x * size), hy = (float)(half_y * size), halves[2];
+	halves[0] = hx;
+	halves[1] = hy;
+	scene_film_shape(run, "box", halves, 2);
 	if (body != 0 && scene_check(run, cn_shape_create_box(run->world, &def, hx, hy, 0.0f, NULL)))
 		keep_half_sizes(run, body, type, (double)hx, (double)hy);
 	return body;
@@ -100,6 +104,7 @@ cn_body scene_circle(scene_run *run, int32_t type, double x, double y, double ra
 	cn_shape_def def = surface(run, body);
 	cn_circle circle = { { 0.0f, 0.0f }, 0.0f };
 	circle.radius_m = (float)(radius * scene_value(run, "size"));
+	scene_film_shape(run, "circle", &circle.radius_m, 1);
 	if (body != 0)
 		scene_check(run, cn_shape_create_circle(run->world, &def, &circle, NULL));
 	return body;
@@ -118,6 +123,7 @@ cn_body scene_polygon(scene_run *run, int32_t type, double x, double y, const do
 		polygon.points_m[k].x = (float)(points[k][0] * size);
 		polygon.points_m[k].y = (float)(points[k][1] * size);
 	}
+	scene_film_shape(run, "polygon", &polygon.points_m[0].x, 2 * count);
 	if (body != 0)
 		scene_check(run, cn_shape_create_polygon(run->world, &def, &polygon, NULL));
 	return body;
@@ -133,6 +139,7 @@ void scene_capsule_shape(scene_run *run, cn_body body, double ax, double ay, dou
 	capsule.b_m.x = (float)(bx * size);
 	capsule.b_m.y = (float)(by * size);
 	capsule.radius_m = (float)(radius * size);
+	scene_film_shape(run, "capsule", &capsule.a_m.x, 5);
 	if (body != 0)
 		scene_check(run, cn_shape_create_capsule(run->world, &def, &capsule, NULL));
 }

@@ -105,6 +105,7 @@ static void step_frames(scene_run *run)
 			snprintf(run->refusal, sizeof run->refusal, "given up at frame %d after %.0f s of processor time", (int)run->frame, CPU_MAX_S);
 		++run->frame;
 		run->time_s += (double)dt_s;
+		scene_film_frame(run);
 		if (run->family->observe != NULL)
 			run->family->observe(run);
 	}
@@ -120,6 +121,7 @@ int scene_execute(scene_run *run, const scene_family *family, const scene_case *
 	run->density = 1.0;
 	run->friction = 0.6;
 	run->far_m = scene_value(run, "far");
+	run->film = settings->film;
 	run->state = calloc(1, (size_t)family->state_bytes + 1);
 	if (run->state == NULL)
 		return 0;
@@ -132,6 +134,7 @@ int scene_execute(scene_run *run, const scene_family *family, const scene_case *
 		step_frames(run);
 	if (run->refusal[0] == '\0')
 		family->finish(run);
+	scene_film_metrics(run);
 	return run->refusal[0] == '\0';
 }
 

@@ -16,6 +16,7 @@
 
 #include "cairn.h"
 #include <stddef.h>
+#include <stdio.h>
 
 #define SCENE_COMMON "hertz=60 seconds=10 size=1 unit=1 far=0 vary=0 sleep=0 gravity=10"
 #define SCENE_METRICS_MAX 16
@@ -49,6 +50,7 @@ typedef struct scene_settings {
 	double dt_s;            /* 0: the scene's */
 	double seconds;         /* 0: the scene's */
 	const char *parameters; /* stronger than a case's */
+	FILE *film;             /* NULL, or where film.c writes the run */
 } scene_settings;
 
 typedef struct scene_metric {
@@ -61,6 +63,7 @@ typedef struct scene_item {
 	cn_body body;
 	double half_x, half_y; /* of a box; 0, 0: another shape */
 	double x, y;           /* metres, without far */
+	long film[3];          /* last pose that film.c wrote */
 } scene_item;
 
 struct scene_run {
@@ -85,6 +88,7 @@ struct scene_run {
 	int32_t frame, frame_count;
 	double dt_s, time_s;
 	double cpu_s;
+	FILE *film;
 	char refusal[160]; /* why the library would not build or step it; "" if it did */
 	scene_metric metrics[SCENE_METRICS_MAX];
 	int32_t metric_count;
@@ -127,6 +131,13 @@ void scene_pin(scene_run *run, cn_body body_a, cn_body body_b, double x, double 
 void scene_pin_limited(scene_run *run, cn_body body_a, cn_body body_b, double x, double y, double lower, double upper);
 void scene_weld(scene_run *run, cn_body body_a, cn_body body_b, double x, double y);
 void scene_keep_joint(scene_run *run, cn_joint joint);
+
+/* ---- film.c: what a run looks like; nothing without --film ---- */
+
+void scene_film_body(scene_run *run, int32_t type, const cn_body_def *def);
+void scene_film_shape(scene_run *run, const char *kind, const float *numbers, int32_t count);
+void scene_film_frame(scene_run *run);
+void scene_film_metrics(const scene_run *run);
 
 /* ---- measure.c: reading back, in double precision ---- */
 

@@ -33,7 +33,7 @@ typedef struct request {
 	const char *patterns[PATTERNS_MAX];
 	int32_t pattern_count;
 	const char *family; /* NULL: cases */
-	const char *csv_path;
+	const char *csv_path, *film_path;
 	int list, sweep;
 	char parameters[512]; /* all --set, joined */
 } request;
@@ -54,6 +54,7 @@ static const char help[] =
 	"  --dt 1/120          seconds a frame, a number or a fraction\n"
 	"  --seconds s         simulated time\n"
 	"  --csv file          every metric as a row\n"
+	"  --film file         what the run looks like: film.c; of one case\n"
 	"  --sweep             the cases of the chart, for every solver and 1, 2, 4, 8, 16 substeps\n";
 
 /* ---- command line ---- */
@@ -137,6 +138,8 @@ static void take_option(request *r, const char *name, const char *value)
 		r->settings.seconds = number_or_fraction(value);
 	else if (strcmp(name, "--csv") == 0)
 		r->csv_path = value;
+	else if (strcmp(name, "--film") == 0)
+		r->film_path = value;
 	else
 		refuse("no such option", name);
 }
@@ -328,6 +331,8 @@ int main(int argc, char **argv)
 		list_all();
 		return 0;
 	}
+	if (r.film_path != NULL && (r.settings.film = fopen(r.film_path, "w")) == NULL)
+		refuse("cannot write", r.film_path);
 	if (r.csv_path != NULL) {
 		t.csv = fopen(r.csv_path, "w");
 		if (t.csv == NULL)
@@ -338,6 +343,8 @@ int main(int argc, char **argv)
 		sweep(&t, &r);
 	else
 		run_cases(&t, &r, &r.settings);
+	if (r.settings.film != NULL && fclose(r.settings.film) != 0)
+		refuse("cannot write", r.film_path);
 	if (t.csv != NULL && fclose(t.csv) != 0)
 		refuse("cannot write", r.csv_path);
 	printf("%d passed, %d failed, %d skipped\n", (int)t.passed, (int)t.failed, (int)t.skipped);

@@ -489,7 +489,7 @@ static uint64_t digest_of_steps(cn_world *world, int32_t count)
 
 static void saves_and_files_hold_areas(void)
 {
-	cn_world *world = busy_world(0, CN_SOLVER_AUTO, SWEEP, 1), *read;
+	cn_world *world = busy_world(1, CN_SOLVER_AUTO, SWEEP, 1), *read;
 	saved save, file;
 	uint64_t digest;
 	fixture_step(world, 100);
@@ -512,14 +512,14 @@ static void areas_are_deterministic(void)
 {
 	static const int32_t solvers[] = { CN_SOLVER_AUTO, CN_SOLVER_SEQUENTIAL };
 	for (int32_t k = 0; k < 2; ++k) {
-		cn_world *world = busy_world(0, solvers[k], SWEEP, 1);
+		cn_world *world = busy_world(1, solvers[k], SWEEP, 1);
 		uint64_t digest = digest_of_steps(world, 150);
 		CHECK(fixture_is_valid(world));
 		cn_world_destroy(world);
 		world = busy_world(3, solvers[k], SWEEP, 1);
 		CHECK(digest_of_steps(world, 150) == digest);
 		cn_world_destroy(world);
-		world = busy_world(0, solvers[k], TREE, 1);
+		world = busy_world(1, solvers[k], TREE, 1);
 		CHECK(digest_of_steps(world, 150) == digest);
 		cn_world_destroy(world);
 	}
@@ -530,7 +530,7 @@ static void areas_are_deterministic(void)
 
 static void areas_give_the_same_bits_everywhere(void)
 {
-	cn_world *world = busy_world(0, CN_SOLVER_AUTO, SWEEP, 0);
+	cn_world *world = busy_world(1, CN_SOLVER_AUTO, SWEEP, 0);
 	uint64_t digest = digest_of_steps(world, 300);
 	printf("  areas: %016llx\n", (unsigned long long)digest);
 	CHECK(test_golden_holds(digest, GOLDEN_AREAS));

@@ -12,7 +12,7 @@ ENTRY(cn_area_def_init, (cn_area_def_init(&area), CN_OK), cn_area_def_init(NULL)
 ENTRY(cn_shape_set_area, SET_AREA(priority, -3),
 	cn_area_def_init(&area); NOW(cn_shape_set_area(NULL, f.sensor, &area)); SHAPE(h, cn_shape_set_area(W, h, &area)); SHAPE(h, cn_shape_set_area(W, h, NULL)); SIZES(x, SET_AREA(struct_size, x));
 	FLAGS(x, 1, SET_AREA(flags, x)); VECTOR(v, SET_AREA(gravity_mps2, v)); POSITION(v, SET_AREA(center_m, v)); FLOAT(x, SET_AREA(pull_mps2, x));
-	RANGE(x, -1e-30f, 1.1e6f, SET_AREA(pull_distance_m, x)); RANGE(x, -1e-30f, 1.1e9f, SET_AREA(linear_damping_per_s, x));
+	DEFAULT_OR_ABOVE_0(x, 1.1e6f, SET_AREA(pull_distance_m, x)); RANGE(x, -1e-30f, 1.1e9f, SET_AREA(linear_damping_per_s, x));
 	RANGE(x, -1e-30f, 1.1e9f, SET_AREA(angular_damping_per_s, x)); RANGE(x, -1e-30f, 1.1e9f, SET_AREA(density_kgpm2, x));
 	RANGE(x, -1e-30f, 1.1e9f, SET_AREA(drag_kgpm2, x)); RANGE(x, -1e-30f, 1.1e9f, SET_AREA(lift_kgpm2, x)); VECTOR(v, SET_AREA(flow_mps, v));
 	STATE(cn_shape_set_area(W, f.ball_shape, AREA(priority, 0))); STATE(cn_shape_set_area(W, f.ball_shape, NULL));)

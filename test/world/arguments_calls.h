@@ -92,6 +92,7 @@ static float number(int k)
 #define DEFAULT_OR_POSITIVE(x, call) do { DEFAULT_OR_NOT_NEGATIVE(x, call); { float x = 0.0f; ARG(call); } } while (0)
 #define POSITIVE(x, call) do { NOT_NEGATIVE(x, call); { float x = 0.0f; ARG(call); } { float x = -0.0f; ARG(call); } } while (0)
 #define RANGE(x, below, above, call) do { FLOAT(x, call); { float x = (below); ARG(call); } { float x = (above); ARG(call); } } while (0)
+#define DEFAULT_OR_ABOVE_0(x, above, call) do { DEFAULT_OR_POSITIVE(x, call); { float x = (above); ARG(call); } } while (0)
 #define ANGLE(x, call) RANGE(x, -10001.0f, 10001.0f, call)
 #define INTEGER(x, below, above, call) do { { int32_t x = (below); ARG(call); } { int32_t x = (above); ARG(call); } \
 	{ int32_t x = INT32_MIN; ARG(call); } { int32_t x = INT32_MAX; ARG(call); } } while (0)

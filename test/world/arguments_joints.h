@@ -225,9 +225,9 @@ static void fixture_with_joints(int with_hooks)
 
 /* What every definition checks in base, at creation and when it is replaced. */
 #define BAD_STRENGTH(S, call) ARG(call(NULL)); FLAGS(x, 5, call(S(base.flags, x))); \
-	RANGE(x, -1.0f, 1.1e6f, call(S(base.stiffness_hertz, x))); RANGE(x, -1.0f, 1.1e6f, call(S(base.stiffness_damping_ratio, x))); \
-	NOT_NEGATIVE(x, call(S(base.force_max_N, x))); NOT_NEGATIVE(x, call(S(base.torque_max_Nm, x))); \
-	NOT_NEGATIVE(x, call(S(base.break_force_N, x))); NOT_NEGATIVE(x, call(S(base.break_torque_Nm, x)));
+	DEFAULT_OR_ABOVE_0(x, 1.1e6f, call(S(base.stiffness_hertz, x))); RANGE(x, -1.0f, 1.1e6f, call(S(base.stiffness_damping_ratio, x))); \
+	DEFAULT_OR_POSITIVE(x, call(S(base.force_max_N, x))); DEFAULT_OR_POSITIVE(x, call(S(base.torque_max_Nm, x))); \
+	DEFAULT_OR_POSITIVE(x, call(S(base.break_force_N, x))); DEFAULT_OR_POSITIVE(x, call(S(base.break_torque_Nm, x)));
 
 /* What only creation checks. */
 #define BAD_SIDES(create, S, def) NOW(create(NULL, (reset_joints(), &def), OUT(cn_joint))); ARG(create(W, (reset_joints(), &def), NULL)); \
@@ -241,7 +241,7 @@ static void fixture_with_joints(int with_hooks)
 
 /* ---- what is particular to a type */
 
-#define NUMBERS_FIXED(call) ANGLE(x, call(FIXED_D(reference_angle_rad, x))); RANGE(x, -1.0f, 1.1e6f, call(FIXED_D(angular_hertz, x))); \
+#define NUMBERS_FIXED(call) ANGLE(x, call(FIXED_D(reference_angle_rad, x))); DEFAULT_OR_ABOVE_0(x, 1.1e6f, call(FIXED_D(angular_hertz, x))); \
 	RANGE(x, -1.0f, 1.1e6f, call(FIXED_D(angular_damping_ratio, x)));
 #define NUMBERS_PRISMATIC(call) AXIS(PRISMATIC_D, call) ANGLE(x, call(PRISMATIC_D(reference_angle_rad, x))); FLOAT(x, call(PRISMATIC_D(lower_m, x))); \
 	FLOAT(x, call(PRISMATIC_D(upper_m, x))); ARG(call(PRISMATIC_D(lower_m, 0.1f))); ARG(call(PRISMATIC_D(upper_m, -0.1f))); \
@@ -251,8 +251,8 @@ static void fixture_with_joints(int with_hooks)
 	ARG(call(WHEEL_D(lower_m, 0.1f))); FLOAT(x, call(WHEEL_D(motor_speed_radps, x))); NOT_NEGATIVE(x, call(WHEEL_D(motor_torque_max_Nm, x))); \
 	SPRINGINESS(WHEEL_D, call)
 #define NUMBERS_MOTOR_TO(call) POSITION(v, call(MOTOR_TO_D(offset_m, v))); ANGLE(x, call(MOTOR_TO_D(angle_rad, x))); DRIVE(MOTOR_TO_D, call) \
-	ARG(call(MOTOR_TO_D(base.force_max_N, 0.0f))); ARG(call(MOTOR_TO_D(base.torque_max_Nm, 0.0f)));
-#define NUMBERS_MOUSE(call) POSITION(v, call(MOUSE_D(target_m, v))); DRIVE(MOUSE_D, call) ARG(call(MOUSE_D(base.force_max_N, 0.0f)));
+	ARG(call(MOTOR_TO_D(base.force_max_N, CN_DEFAULT))); ARG(call(MOTOR_TO_D(base.torque_max_Nm, CN_DEFAULT)));
+#define NUMBERS_MOUSE(call) POSITION(v, call(MOUSE_D(target_m, v))); DRIVE(MOUSE_D, call) ARG(call(MOUSE_D(base.force_max_N, CN_DEFAULT)));
 #define NUMBERS_GEAR(call) RATIO(GEAR_D, ratio, call) ANGLE(x, call(GEAR_D(phase_rad, x)));
 #define NUMBERS_PULLEY(call) POSITION(v, call(PULLEY_D(ground_a_m, v))); POSITION(v, call(PULLEY_D(ground_b_m, v))); RATIO(PULLEY_D, ratio, call) \
 	ARG(call(PULLEY_D(ratio, -1.0f))); POSITIVE(x, call(PULLEY_D(length_m, x)));
@@ -373,10 +373,10 @@ ENTRY(cn_joint_create_filter, CREATE_FILTER((reset_joints(), &filter_d)),
 ENTRY(cn_joint_get_base, cn_joint_get_base(W, f.pin, OUT(cn_joint_base)),
 	NOW(cn_joint_get_base(NULL, f.pin, OUT(cn_joint_base))); JOINT(h, cn_joint_get_base(W, h, OUT(cn_joint_base))); ARG(cn_joint_get_base(W, f.pin, NULL));)
 ENTRY(cn_joint_set_base, SET_BASE(GEAR_BASE(base.break_force_N, 5.0f)),
-	ARG(SET_BASE(NULL)); RANGE(x, -1.0f, 1.1e6f, SET_BASE(GEAR_BASE(base.stiffness_hertz, x))); RANGE(x, -1.0f, 1.1e6f, SET_BASE(GEAR_BASE(base.stiffness_damping_ratio, x)));
-	NOT_NEGATIVE(x, SET_BASE(GEAR_BASE(base.force_max_N, x))); NOT_NEGATIVE(x, SET_BASE(GEAR_BASE(base.torque_max_Nm, x)));
-	NOT_NEGATIVE(x, SET_BASE(GEAR_BASE(base.break_force_N, x))); NOT_NEGATIVE(x, SET_BASE(GEAR_BASE(base.break_torque_Nm, x)));
-	ARG(cn_joint_set_base(W, any[CN_JOINT_MOUSE], GEAR_BASE(base.force_max_N, 0.0f))); ARG(cn_joint_set_base(W, any[CN_JOINT_MOTOR_TO], GEAR_BASE(base.torque_max_Nm, 0.0f)));
+	ARG(SET_BASE(NULL)); DEFAULT_OR_ABOVE_0(x, 1.1e6f, SET_BASE(GEAR_BASE(base.stiffness_hertz, x))); RANGE(x, -1.0f, 1.1e6f, SET_BASE(GEAR_BASE(base.stiffness_damping_ratio, x)));
+	DEFAULT_OR_POSITIVE(x, SET_BASE(GEAR_BASE(base.force_max_N, x))); DEFAULT_OR_POSITIVE(x, SET_BASE(GEAR_BASE(base.torque_max_Nm, x)));
+	DEFAULT_OR_POSITIVE(x, SET_BASE(GEAR_BASE(base.break_force_N, x))); DEFAULT_OR_POSITIVE(x, SET_BASE(GEAR_BASE(base.break_torque_Nm, x)));
+	ARG(cn_joint_set_base(W, any[CN_JOINT_MOUSE], GEAR_BASE(base.force_max_N, CN_DEFAULT))); ARG(cn_joint_set_base(W, any[CN_JOINT_MOTOR_TO], GEAR_BASE(base.torque_max_Nm, CN_DEFAULT)));
 	NOW(cn_joint_set_base(NULL, f.pin, (reset_joints(), &gear_d.base))); JOINT(h, cn_joint_set_base(W, h, (reset_joints(), &gear_d.base)));)
 ENTRY(cn_joint_set_target, cn_joint_set_target(W, any[CN_JOINT_MOUSE], 1.0f, 2.0f),
 	POSITION(v, cn_joint_set_target(W, any[CN_JOINT_MOUSE], v.x, v.y)); NOW(cn_joint_set_target(NULL, any[CN_JOINT_MOUSE], 1.0f, 2.0f));
@@ -394,12 +394,12 @@ ENTRY(cn_world_joint_events, cn_world_joint_events(W, OUT(const cn_joint_event *
 #define SET_ANGLE(d) cn_constraint_set_angle(W, turn_limit, d)
 #define SET_LINE(d) cn_constraint_set_line(W, wire, d)
 #define BAD_ANGLE(call) ARG(call(NULL)); SIZES(x, call(ANGLE_D(struct_size, x))); FLAGS(x, 2, call(ANGLE_D(flags, x))); RANGE(x, -10001.0f, 1.1f, call(ANGLE_D(lower_rad, x))); \
-	RANGE(x, -1.1f, 10001.0f, call(ANGLE_D(upper_rad, x))); RANGE(x, -1.0f, 1.1e6f, call(ANGLE_D(hertz, x))); RANGE(x, -1.0f, 1.1e6f, call(ANGLE_D(damping_ratio, x))); \
-	NOT_NEGATIVE(x, call(ANGLE_D(break_torque_Nm, x)));
+	RANGE(x, -1.1f, 10001.0f, call(ANGLE_D(upper_rad, x))); DEFAULT_OR_ABOVE_0(x, 1.1e6f, call(ANGLE_D(hertz, x))); RANGE(x, -1.0f, 1.1e6f, call(ANGLE_D(damping_ratio, x))); \
+	DEFAULT_OR_POSITIVE(x, call(ANGLE_D(break_torque_Nm, x)));
 #define BAD_LINE(call) ARG(call(NULL)); SIZES(x, call(LINE_D(struct_size, x))); FLAGS(x, 2, call(LINE_D(flags, x))); POSITION(v, call(LINE_D(anchor_m, v))); POSITION(v, call(LINE_D(origin_m, v))); \
 	AXIS(LINE_D, call) NOT_NEGATIVE(x, call(LINE_D(tolerance_m, x))); FLOAT(x, call(LINE_D(lower_m, x))); FLOAT(x, call(LINE_D(upper_m, x))); \
-	ARG(call(LINE_D(lower_m, 0.1f))); RANGE(x, -1.0f, 1.1e6f, call(LINE_D(hertz, x))); RANGE(x, -1.0f, 1.1e6f, call(LINE_D(damping_ratio, x))); \
-	NOT_NEGATIVE(x, call(LINE_D(break_force_N, x)));
+	ARG(call(LINE_D(lower_m, 0.1f))); DEFAULT_OR_ABOVE_0(x, 1.1e6f, call(LINE_D(hertz, x))); RANGE(x, -1.0f, 1.1e6f, call(LINE_D(damping_ratio, x))); \
+	DEFAULT_OR_POSITIVE(x, call(LINE_D(break_force_N, x)));
 ENTRY(cn_angle_constraint_def_init, (cn_angle_constraint_def_init(&angle_d), CN_OK), cn_angle_constraint_def_init(NULL);)
 ENTRY(cn_line_constraint_def_init, (cn_line_constraint_def_init(&line_d), CN_OK), cn_line_constraint_def_init(NULL);)
 ENTRY(cn_constraint_create_angle, CREATE_ANGLE((reset_joints(), &angle_d)),

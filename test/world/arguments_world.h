@@ -41,7 +41,7 @@ static void bad_world_defs(cn_result (*call)(const cn_world_def *))
 	INTEGER(x, -1, 2, call(WD(broadphase, x)));
 	INTEGER(x, 0, 65, call(WD(substep_count, x)));
 	DEFAULT_OR_NOT_NEGATIVE(x, call(WD(accuracy_m, x)));
-	INTEGER(x, -1, 1000000001, call(WD(work_budget, x)));
+	INTEGER(x, 0, 1000000001, call(WD(work_budget, x))); INTEGER(x, -2, 1000000001, call(WD(work_budget, x)));
 	DEFAULT_OR_NOT_NEGATIVE(x, call(WD(restitution_threshold_mps, x))); DEFAULT_OR_NOT_NEGATIVE(x, call(WD(hit_speed_mps, x)));
 	DEFAULT_OR_POSITIVE(x, call(WD(push_speed_max_mps, x)));
 	DEFAULT_OR_POSITIVE(x, call(WD(linear_speed_max_mps, x)));
@@ -52,7 +52,7 @@ static void bad_world_defs(cn_result (*call)(const cn_world_def *))
 	INTEGER(x, -1, CN_MAX_HANDLES + 1, call(WD(shape_capacity, x)));
 	INTEGER(x, -1, INT32_MAX, call(WD(contact_capacity, x)));
 	INTEGER(x, -1, CN_MAX_HANDLES + 1, call(WD(joint_capacity, x)));
-	INTEGER(x, -1, CN_WORKERS_MAX + 1, call(WD(worker_count, x)));
+	INTEGER(x, 0, CN_WORKERS_MAX + 1, call(WD(worker_count, x)));
 	INTEGER(x, -2, INT32_MAX, call(WD(touching_capacity, x)));
 	INTEGER(x, -2, INT32_MAX, call(WD(event_capacity, x)));
 	INTEGER(x, 2, CN_POLYGON_MAX_VERTICES + 1, call(WD(vertex_capacity, x)));
@@ -102,7 +102,7 @@ ENTRY(cn_world_set_solver, cn_world_set_solver(W, CN_SOLVER_DIRECT),
 	NOW(cn_world_set_solver(NULL, 0)); INTEGER(x, -1, 4, cn_world_set_solver(W, x));)
 WORLD_GETTER(cn_world_get_solver, int32_t)
 ENTRY(cn_world_set_accuracy, cn_world_set_accuracy(W, 0.001f, 500),
-	NOW(cn_world_set_accuracy(NULL, 0.001f, 500)); DEFAULT_OR_NOT_NEGATIVE(x, cn_world_set_accuracy(W, x, 500)); INTEGER(x, -1, 1000000001, cn_world_set_accuracy(W, 0.001f, x));)
+	NOW(cn_world_set_accuracy(NULL, 0.001f, 500)); DEFAULT_OR_NOT_NEGATIVE(x, cn_world_set_accuracy(W, x, 500)); INTEGER(x, 0, 1000000001, cn_world_set_accuracy(W, 0.001f, x)); INTEGER(x, -2, 1000000001, cn_world_set_accuracy(W, 0.001f, x));)
 ENTRY(cn_world_get_accuracy, cn_world_get_accuracy(W, OUT(float), INT + 8),
 	NOW(cn_world_get_accuracy(NULL, OUT(float), INT + 8)); ARG(cn_world_get_accuracy(W, NULL, INT)); ARG(cn_world_get_accuracy(W, OUT(float), NULL));)
 ENTRY(cn_world_set_flags, cn_world_set_flags(W, CN_WORLD_PROFILE),
@@ -269,7 +269,7 @@ ENTRY(cn_world_write, cn_world_write(W, save_bytes, sizeof save_bytes, OUT(uint6
 /* A call without a world. */
 #define NO_FILE(call) do { cn_result r_; bad_begin(); r_ = (call); bad_end(__LINE__, #call, CN_ERROR_FORMAT, r_, 0); } while (0)
 ENTRY(cn_world_read, read_with(0, 0, 0), NOW(cn_world_read(NULL, NULL, 100, &file_world)); NOW(cn_world_read(NULL, file_bytes, file_count(), NULL));
-	NOW(read_with_def(3, 0)); NOW(read_with_def((uint32_t)sizeof(cn_world_def), -1)); NO_FILE(read_with(0, 1, 0)); NO_FILE(read_with(UINT64_MAX, 1, 0));
+	NOW(read_with_def(3, 1)); NOW(read_with_def((uint32_t)sizeof(cn_world_def), -1)); NO_FILE(read_with(0, 1, 0)); NO_FILE(read_with(UINT64_MAX, 1, 0));
 	NO_FILE(read_with(0, 0, 1)); NO_FILE(read_with(0, 0, UINT64_MAX));)
 /* A save of a small world of its own, and its delta against itself. */
 static uint8_t own_save[1 << 16], own_delta[1 << 16], own_out[1 << 16];

@@ -116,7 +116,7 @@ static void read_back_solvers(void)
 	for (solver = CN_SOLVER_SEQUENTIAL; solver >= CN_SOLVER_AUTO; --solver)
 		CHECK(cn_world_set_solver(W, solver) == CN_OK && cn_world_get_solver(W, &got) == CN_OK && got == solver);
 	CHECK(cn_world_set_accuracy(W, 0.25f, 1234) == CN_OK && cn_world_get_accuracy(W, &accuracy, &budget) == CN_OK && accuracy == 0.25f && budget == 1234);
-	CHECK(cn_world_set_accuracy(W, CN_DEFAULT, 0) == CN_OK && cn_world_get_accuracy(W, &accuracy, &budget) == CN_OK && accuracy == 0.005f && budget == 0);
+	CHECK(cn_world_set_accuracy(W, CN_DEFAULT, CN_DEFAULT) == CN_OK && cn_world_get_accuracy(W, &accuracy, &budget) == CN_OK && accuracy == 0.005f && budget == CN_DEFAULT);
 	for (solver = CN_SOLVER_DIRECT; solver >= CN_SOLVER_AUTO; --solver) {
 		CHECK(cn_body_set_solver(W, f.box, solver) == CN_OK && cn_body_get_solver(W, f.box, &got) == CN_OK && got == solver);
 		CHECK(cn_joint_set_solver(W, f.pin, solver) == CN_OK && cn_joint_get_solver(W, f.pin, &got) == CN_OK && got == solver);
@@ -445,7 +445,7 @@ static cn_result random_solver(cn_body body, cn_joint joint, uint32_t more)
 {
 	switch (more & 7u) {
 	case 0: return cn_world_set_solver(W, (int32_t)(more >> 3 & 3u));
-	case 1: return cn_world_set_accuracy(W, (more >> 3 & 7u) == 0 ? (float)CN_DEFAULT : 0.001f * (float)(more >> 3 & 7u), (int32_t)(more >> 6 & 1023u));
+	case 1: return cn_world_set_accuracy(W, (more >> 3 & 7u) == 0 ? (float)CN_DEFAULT : 0.001f * (float)(more >> 3 & 7u), (more >> 6 & 1023u) == 0 ? CN_DEFAULT : (int32_t)(more >> 6 & 1023u));
 	case 2: case 3: return cn_joint_set_solver(W, joint, (int32_t)(more >> 3 & 3u));
 	default: return cn_body_set_solver(W, body, (int32_t)(more >> 3 & 3u));
 	}

@@ -61,7 +61,7 @@ static void weld_has_its_stiffness(void)
 	def.base.stiffness_damping_ratio = 0.5f;
 	soft = make_fixed(world, &def);
 	connect(&def.base, 0, at(5.0f, 0.0f), arm, at(0.0f, 0.0f));
-	def.base.stiffness_hertz = 0.0f;
+	def.base.stiffness_hertz = CN_DEFAULT;
 	def.angular_hertz = 3.0f;
 	def.angular_damping_ratio = 0.5f;
 	twist = make_fixed(world, &def);

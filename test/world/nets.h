@@ -45,7 +45,7 @@ static inline cn_joint net_weld(cn_world *world, const cn_joint_base *base, int3
 	connect(&def.base, base->body_a, base->anchor_a_m, base->body_b, base->anchor_b_m);
 	def.base.flags = base->flags;
 	def.base.break_force_N = base->break_force_N;
-	def.angular_hertz = soft ? 6.0f : 0.0f;
+	def.angular_hertz = soft ? 6.0f : (float)CN_DEFAULT;
 	def.angular_damping_ratio = soft ? 0.3f : 0.0f;
 	return make_fixed(world, &def);
 }
@@ -111,7 +111,7 @@ static inline cn_joint net_link(cn_world *world, int32_t kind, int32_t how, int3
 	cn_joint_base base;
 	memset(&base, 0, sizeof base);
 	connect(&base, a, at(place_a.x + reach * x, place_a.y + reach * y), b, at(-reach * x, -reach * y));
-	base.break_force_N = how == NET_BY_ROWS ? 1e30f : 0.0f;
+	base.break_force_N = how == NET_BY_ROWS ? 1e30f : (float)CN_DEFAULT;
 	return net_joint(world, kind, k, &base, kind == NET_SLIDE ? at(x, y) : at(y, -x));
 }
 

@@ -199,7 +199,7 @@ static void net_live(net_life *n, int32_t step)
 	case 61: rows_lock(n, 1u << 7); break;         /* in the step after lanes were taken anew */
 	case 70: rows_lock(n, ~0u); break;
 	case 90: must(cn_world_set_accuracy(n->world, CN_DEFAULT, 100), n->world, "cn_world_set_accuracy"); break;
-	case 95: must(cn_world_set_accuracy(n->world, CN_DEFAULT, 0), n->world, "cn_world_set_accuracy"); break;
+	case 95: must(cn_world_set_accuracy(n->world, CN_DEFAULT, CN_DEFAULT), n->world, "cn_world_set_accuracy"); break;
 	case 105: must(cn_body_set_type(n->world, n->body[5][5], CN_BODY_STATIC), n->world, "cn_body_set_type"); break;
 	case 110: must(cn_body_set_type(n->world, n->body[5][5], CN_BODY_DYNAMIC), n->world, "cn_body_set_type"); break;
 	case 120: must(cn_joint_set_solver(n->world, n->joint[7], CN_SOLVER_DIRECT), n->world, "cn_joint_set_solver"); break;

@@ -74,7 +74,7 @@ static void set_body(cn_world *world, cn_body body, int32_t solver)
 
 static void t_a_new_stack_is_direct_and_then_soft(void)
 {
-	cn_world *world = make_world(CN_SOLVER_AUTO, CN_DEFAULT, 0);
+	cn_world *world = make_world(CN_SOLVER_AUTO, CN_DEFAULT, CN_DEFAULT);
 	cn_body first;
 	cn_island_report r;
 	int32_t k, settling = 0;
@@ -103,7 +103,7 @@ static void t_a_new_stack_is_direct_and_then_soft(void)
 
 static void t_reasons_of_what_is_wrong(void)
 {
-	cn_world *world = make_world(CN_SOLVER_AUTO, CN_DEFAULT, 0);
+	cn_world *world = make_world(CN_SOLVER_AUTO, CN_DEFAULT, CN_DEFAULT);
 	cn_body top;
 	fixture_floor(world, 0.6f, 0.0f);
 	stack(world, 0.0f, 3, &top);
@@ -113,7 +113,7 @@ static void t_reasons_of_what_is_wrong(void)
 	fixture_step(world, 1);
 	CHECK(is(world, CN_TIER_DIRECT, CN_TIER_REASON_OVERLAP));
 	cn_world_destroy(world);
-	world = make_world(CN_SOLVER_AUTO, CN_DEFAULT, 0);
+	world = make_world(CN_SOLVER_AUTO, CN_DEFAULT, CN_DEFAULT);
 	fixture_floor(world, 0.6f, 0.0f);
 	stack(world, 0.0f, 3, &top);
 	fixture_set_velocity(world, top, 3.0f, 0.0f, 0.0f);
@@ -149,7 +149,7 @@ static void t_stressed_islands_stay_direct(void)
 
 static void t_bodies_alone_and_free_ones(void)
 {
-	cn_world *world = make_world(CN_SOLVER_AUTO, CN_DEFAULT, 0);
+	cn_world *world = make_world(CN_SOLVER_AUTO, CN_DEFAULT, CN_DEFAULT);
 	cn_island_report list[REPORTS];
 	cn_body pile, lying, flying;
 	fixture_floor(world, 0.6f, 0.0f);
@@ -168,7 +168,7 @@ static void t_bodies_alone_and_free_ones(void)
 /* As asked for: the first ones, and how many there are. */
 static void t_a_short_list_is_cut(void)
 {
-	cn_world *world = make_world(CN_SOLVER_AUTO, CN_DEFAULT, 0);
+	cn_world *world = make_world(CN_SOLVER_AUTO, CN_DEFAULT, CN_DEFAULT);
 	cn_island_report all[REPORTS], some[REPORTS];
 	int32_t count = 0, k;
 	fixture_floor(world, 0.6f, 0.0f);
@@ -187,7 +187,7 @@ static void t_a_short_list_is_cut(void)
 
 static void t_residuals_are_errors_now(void)
 {
-	cn_world *world = make_world(CN_SOLVER_AUTO, CN_DEFAULT, 0);
+	cn_world *world = make_world(CN_SOLVER_AUTO, CN_DEFAULT, CN_DEFAULT);
 	cn_revolute_def pin;
 	cn_joint joint;
 	cn_body box, ball;
@@ -249,7 +249,7 @@ static void t_work_stays_within_the_budget(void)
 
 static void t_a_budget_that_is_too_small_is_told(void)
 {
-	cn_world *world = make_world(CN_SOLVER_AUTO, CN_DEFAULT, 0);
+	cn_world *world = make_world(CN_SOLVER_AUTO, CN_DEFAULT, CN_DEFAULT);
 	float accuracy = 0.0f;
 	int32_t budget = -1;
 	CHECK(cn_world_set_accuracy(world, CN_DEFAULT, 40) == CN_OK && cn_world_get_accuracy(world, &accuracy, &budget) == CN_OK);
@@ -265,7 +265,7 @@ static void t_a_budget_that_is_too_small_is_told(void)
 
 static void t_bodies_keep_their_island_soft_or_direct(void)
 {
-	cn_world *world = make_world(CN_SOLVER_AUTO, CN_DEFAULT, 0);
+	cn_world *world = make_world(CN_SOLVER_AUTO, CN_DEFAULT, CN_DEFAULT);
 	cn_body first, top;
 	int32_t solver = -1;
 	fixture_floor(world, 0.6f, 0.0f);
@@ -295,7 +295,7 @@ static void t_bodies_keep_their_island_soft_or_direct(void)
 
 static void t_the_definition_has_a_solver(void)
 {
-	cn_world *world = make_world(CN_SOLVER_DIRECT, CN_DEFAULT, 0);
+	cn_world *world = make_world(CN_SOLVER_DIRECT, CN_DEFAULT, CN_DEFAULT);
 	cn_body_def def;
 	cn_shape_def shape;
 	cn_body body = 0;
@@ -343,7 +343,7 @@ static int32_t net(cn_world *world, int32_t size, cn_joint *joints)
 
 static int32_t net_work(int32_t size, int32_t solver, int32_t which)
 {
-	cn_world *world = make_world(CN_SOLVER_AUTO, 1.0f, 0);
+	cn_world *world = make_world(CN_SOLVER_AUTO, 1.0f, CN_DEFAULT);
 	cn_joint joints[800];
 	int32_t count = net(world, size, joints), k, work, own = -1;
 	for (k = 0; k < count; ++k)
@@ -376,7 +376,7 @@ static void t_contacts_of_a_kind_are_refused(void)
 {
 	int32_t kind;
 	for (kind = 0; kind < 2; ++kind) {
-		cn_world *world = make_world(CN_SOLVER_AUTO, CN_DEFAULT, 0);
+		cn_world *world = make_world(CN_SOLVER_AUTO, CN_DEFAULT, CN_DEFAULT);
 		cn_shape_def def;
 		def = fixture_shape_def(fixture_body(world, CN_BODY_STATIC, 0.0f, -1.0f, 0.0f), 0.6f, kind == 0 ? 0.5f : 0.0f);
 		def.material.tangent_speed_mps = kind == 0 ? 0.0f : 0.2f;
@@ -392,7 +392,7 @@ static void t_contacts_of_a_kind_are_refused(void)
 /* Stacks on one long plank. */
 static void t_large_islands_are_refused(void)
 {
-	cn_world *world = make_world(CN_SOLVER_AUTO, CN_DEFAULT, 0);
+	cn_world *world = make_world(CN_SOLVER_AUTO, CN_DEFAULT, CN_DEFAULT);
 	cn_body plank;
 	int32_t k, row, direct = 0;
 	fixture_floor(world, 0.6f, 0.0f);
@@ -418,7 +418,7 @@ static void t_large_islands_are_refused(void)
 static void t_solvers_may_change_between_steps(void)
 {
 	static const int32_t order[] = { CN_SOLVER_AUTO, CN_SOLVER_DIRECT, CN_SOLVER_SOFT, CN_SOLVER_AUTO, CN_SOLVER_SEQUENTIAL, CN_SOLVER_DIRECT, CN_SOLVER_SEQUENTIAL, CN_SOLVER_AUTO };
-	cn_world *world = make_world(CN_SOLVER_AUTO, CN_DEFAULT, 0);
+	cn_world *world = make_world(CN_SOLVER_AUTO, CN_DEFAULT, CN_DEFAULT);
 	cn_joint joints[16];
 	cn_body first, top;
 	int32_t k, count, solver = -1;
@@ -526,7 +526,7 @@ static void t_reports_are_deterministic_and_change_nothing(void)
 /* Attempts in vain in a heap that hardly moves, and those after which it moves faster. */
 static void attempts_count(uint32_t seed, int32_t *in_vain, int32_t *faster)
 {
-	cn_world *world = make_world(CN_SOLVER_AUTO, CN_DEFAULT, 0);
+	cn_world *world = make_world(CN_SOLVER_AUTO, CN_DEFAULT, CN_DEFAULT);
 	cn_body bodies[50];
 	cn_island_report list[REPORTS];
 	double before = 1e9;
@@ -579,7 +579,7 @@ static void t_islands_that_meet_or_part_keep_what_is_known(void)
 {
 	int32_t k;
 	for (k = 0; k < 2; ++k) { /* the one that has a past is the smaller, and the larger */
-		cn_world *world = make_world(CN_SOLVER_AUTO, CN_DEFAULT, 0);
+		cn_world *world = make_world(CN_SOLVER_AUTO, CN_DEFAULT, CN_DEFAULT);
 		cn_body old = stack(world, 0.0f, k == 0 ? 2 : 3, NULL), young = stack(world, 10.0f, 4 - k, NULL);
 		cni_island *i, *other;
 		uint32_t now;
@@ -624,7 +624,7 @@ static void t_islands_that_meet_or_part_keep_what_is_known(void)
 /* Each time for twice as long, up to 32 s; and as the first time when that is long ago. */
 static void t_refusals_last_longer_each_time(void)
 {
-	cn_world *world = make_world(CN_SOLVER_AUTO, CN_DEFAULT, 0);
+	cn_world *world = make_world(CN_SOLVER_AUTO, CN_DEFAULT, CN_DEFAULT);
 	cn_body first;
 	cni_island *i;
 	int32_t k, wrong = 0, expected = 120;
@@ -660,7 +660,7 @@ static int32_t steps_direct(cn_world *world)
 /* The stay grows fourfold each time that an island turns bad again soon. */
 static void t_what_turns_bad_again_stays_longer(void)
 {
-	cn_world *world = make_world(CN_SOLVER_AUTO, CN_DEFAULT, 0);
+	cn_world *world = make_world(CN_SOLVER_AUTO, CN_DEFAULT, CN_DEFAULT);
 	cn_body top;
 	int32_t k, steps[3];
 	fixture_floor(world, 0.6f, 0.0f);
@@ -704,7 +704,7 @@ static void t_so_many_islands_at_a_time(void)
 /* The loads of what falls after all are forgotten, those of both points of each contact. */
 static void t_what_falls_forgets_its_loads(void)
 {
-	cn_world *world = make_world(CN_SOLVER_AUTO, CN_DEFAULT, 0);
+	cn_world *world = make_world(CN_SOLVER_AUTO, CN_DEFAULT, CN_DEFAULT);
 	cn_body first;
 	cni_island *i;
 	int32_t block, l, p, loaded = 0, left = 0;
@@ -733,7 +733,7 @@ static void t_small_bodies_are_crushed_sooner(void)
 {
 	static const float halves[3] = { 0.5f, 0.05f, 0.005f };
 	float h = 0.25f * FRAME_S;
-	cn_world *world = make_world(CN_SOLVER_AUTO, CN_DEFAULT, 0);
+	cn_world *world = make_world(CN_SOLVER_AUTO, CN_DEFAULT, CN_DEFAULT);
 	int32_t k, index[3];
 	for (k = 0; k < 3; ++k)
 		index[k] = cni_body_at(world, cni_handles_find(&world->body_handles, fixture_box(world, CN_BODY_DYNAMIC, 3.0f * (float)k, 0.0f, 0.0f, halves[k], halves[k], 0.6f, 0.0f)))->awake;
@@ -752,7 +752,7 @@ static void t_soft_prevails_in_any_order(void)
 {
 	int32_t k;
 	for (k = 0; k < 2; ++k) {
-		cn_world *world = make_world(CN_SOLVER_AUTO, CN_DEFAULT, 0);
+		cn_world *world = make_world(CN_SOLVER_AUTO, CN_DEFAULT, CN_DEFAULT);
 		cn_body first, top;
 		fixture_floor(world, 0.6f, 0.0f);
 		first = stack(world, 0.0f, 4, &top);
@@ -800,7 +800,7 @@ static void t_an_island_that_owes_too_much_has_no_interior_points(void)
 	uint32_t seed;
 	for (k = 0; k < 2; ++k)
 		for (seed = 1; seed <= 12; ++seed) {
-			cn_world *world = make_world(CN_SOLVER_AUTO, CN_DEFAULT, 0);
+			cn_world *world = make_world(CN_SOLVER_AUTO, CN_DEFAULT, CN_DEFAULT);
 			planks(world, seed * 2654435761u);
 			most[k] = cni_max_i(most[k], most_set_aside(world, k * (CNI_CONE_DEBT + 1)));
 			cn_world_destroy(world);
@@ -815,7 +815,7 @@ static void t_what_was_poured_spends_little(void)
 	int32_t steps = 0, step;
 	uint32_t seed;
 	for (seed = 1; seed <= 12; ++seed) {
-		cn_world *world = make_world(CN_SOLVER_AUTO, CN_DEFAULT, 0);
+		cn_world *world = make_world(CN_SOLVER_AUTO, CN_DEFAULT, CN_DEFAULT);
 		cn_body bodies[10];
 		heap_bowl(world);
 		heap_drop(world, seed, bodies, 10);
@@ -834,7 +834,7 @@ static void t_sliding_impulses_converge_with_one_set(void)
 	int32_t sum = 0, step, k;
 	uint32_t seed;
 	for (seed = 1; seed <= 12; ++seed) {
-		cn_world *world = make_world(CN_SOLVER_SOFT, CN_DEFAULT, 0);
+		cn_world *world = make_world(CN_SOLVER_SOFT, CN_DEFAULT, CN_DEFAULT);
 		cn_island_report list[REPORTS];
 		cn_body bodies[10];
 		heap_bowl(world);
@@ -854,7 +854,7 @@ static void t_sliding_impulses_converge_with_one_set(void)
 /* The step in which a stack of three becomes direct that is put back to the same overlap before each step, with this speed; 0: none. */
 static int32_t direct_since(float speed)
 {
-	cn_world *world = make_world(CN_SOLVER_AUTO, 0.0f, 0);
+	cn_world *world = make_world(CN_SOLVER_AUTO, 0.0f, CN_DEFAULT);
 	cn_body bodies[3];
 	int32_t k, step, since = 0;
 	fixture_floor(world, 0.0f, 0.0f);

@@ -302,7 +302,9 @@ pub type cn_tree_ray_fn = unsafe extern "C" fn(item: u32, user_data: u64, fracti
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct cn_vec2 {
+    /// to the right
     pub x: f32,
+    /// upwards
     pub y: f32,
 }
 const _: () = assert!(core::mem::size_of::<cn_vec2>() == 8 || core::mem::size_of::<usize>() != 8);
@@ -312,8 +314,11 @@ const _: () = assert!(core::mem::size_of::<cn_vec2>() == 8 || core::mem::size_of
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct cn_pose {
+    /// of the body's origin
     pub position_m: cn_vec2,
+    /// of the angle
     pub cosine: f32,
+    /// of the angle
     pub sine: f32,
 }
 const _: () = assert!(core::mem::size_of::<cn_pose>() == 16 || core::mem::size_of::<usize>() != 8);
@@ -333,7 +338,9 @@ const _: () = assert!(core::mem::size_of::<cn_velocity>() == 12 || core::mem::si
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct cn_aabb {
+    /// left and bottom
     pub lower_m: cn_vec2,
+    /// right and top
     pub upper_m: cn_vec2,
 }
 const _: () = assert!(core::mem::size_of::<cn_aabb>() == 16 || core::mem::size_of::<usize>() != 8);
@@ -342,6 +349,7 @@ const _: () = assert!(core::mem::size_of::<cn_aabb>() == 16 || core::mem::size_o
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct cn_mass_data {
+    /// of all shapes, or as set
     pub mass_kg: f32,
     /// about the centre of mass
     pub inertia_kgm2: f32,
@@ -354,6 +362,7 @@ const _: () = assert!(core::mem::size_of::<cn_mass_data>() == 16 || core::mem::s
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct cn_world_def {
+    /// set by the init function
     pub struct_size: u32,
     /// CN_WORLD_*; default SLEEP | WARM_START | CONTINUOUS
     pub flags: u32,
@@ -370,7 +379,7 @@ pub struct cn_world_def {
     /// CN_SOLVER_AUTO aims at errors below this, >= 0; CN_DEFAULT (default): 0.005 x length unit
     pub accuracy_m: f32,
     /// limit of direct solving in a step, in factored blocks (joints, contacts and their fill), substeps
-    /// included, about 10 ns each; 0 to 1e9; default 0: the limits of single islands only
+    /// included, about 10 ns each; 1 to 1e9; CN_DEFAULT (default): the limits of single islands only
     pub work_budget: i32,
     /// slower impacts do not bounce, >= 0; CN_DEFAULT (default): 1 x length unit
     pub restitution_threshold_mps: f32,
@@ -392,6 +401,7 @@ pub struct cn_world_def {
     pub contact_capacity: i32,
     /// counts constraints too
     pub joint_capacity: i32,
+    /// a number for the user; default 0
     pub user_data: u64,
     /// size of memory; 0: use alloc and free
     pub memory_bytes: u64,
@@ -409,8 +419,8 @@ pub struct cn_world_def {
     pub finish: Option<cn_finish_fn>,
     /// last argument of enqueue and finish
     pub task_user: *mut c_void,
-    /// threads that share a step, including the calling one; 0 to CN_WORKERS_MAX; default 0, the same as 1:
-    /// no threads, no tasks
+    /// threads that share a step, including the calling one; 1 to CN_WORKERS_MAX; default 1: no threads, no
+    /// tasks
     pub worker_count: i32,
     /// blows at least this fast are reported by CN_EVENT_HIT, >= 0; CN_DEFAULT (default): 1 x length unit
     pub hit_speed_mps: f32,
@@ -566,6 +576,7 @@ const _: () = assert!(core::mem::size_of::<cn_memory_stats>() == 72 || core::mem
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct cn_body_def {
+    /// set by the init function
     pub struct_size: u32,
     /// CN_BODY_STATIC, _KINEMATIC, _DYNAMIC; default dynamic
     pub r#type: i32,
@@ -589,6 +600,7 @@ pub struct cn_body_def {
     pub flags: u32,
     /// as in cn_body_set_solver; default CN_SOLVER_AUTO
     pub solver: i32,
+    /// a number for the user; default 0
     pub user_data: u64,
     /// NULL, or at most CN_NAME_MAX_BYTES bytes of text, copied
     pub name: *const c_char,
@@ -628,6 +640,7 @@ pub struct cn_filter {
     pub mask: u64,
     /// default 0
     pub group: i32,
+    /// 0
     pub reserved: u32,
 }
 const _: () = assert!(core::mem::size_of::<cn_filter>() == 24 || core::mem::size_of::<usize>() != 8);
@@ -660,6 +673,7 @@ const _: () = assert!(core::mem::size_of::<cn_material>() == 32 || core::mem::si
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct cn_shape_def {
+    /// set by the init function
     pub struct_size: u32,
     /// 0: create unattached, for cn_shape_attach
     pub body: cn_body,
@@ -677,6 +691,7 @@ pub struct cn_shape_def {
     pub event_mask: u32,
     /// CN_SHAPE_SENSOR ...; default 0
     pub flags: u32,
+    /// a number for the user; default 0
     pub user_data: u64,
 }
 impl Default for cn_shape_def {
@@ -692,7 +707,9 @@ const _: () = assert!(core::mem::size_of::<cn_shape_def>() == 96 || core::mem::s
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct cn_circle {
+    /// in the body's frame
     pub center_m: cn_vec2,
+    /// > 0
     pub radius_m: f32,
 }
 const _: () = assert!(core::mem::size_of::<cn_circle>() == 12 || core::mem::size_of::<usize>() != 8);
@@ -701,8 +718,11 @@ const _: () = assert!(core::mem::size_of::<cn_circle>() == 12 || core::mem::size
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct cn_capsule {
+    /// one end of the segment, in the body's frame
     pub a_m: cn_vec2,
+    /// the other end
     pub b_m: cn_vec2,
+    /// around the segment, > 0
     pub radius_m: f32,
 }
 const _: () = assert!(core::mem::size_of::<cn_capsule>() == 20 || core::mem::size_of::<usize>() != 8);
@@ -711,7 +731,9 @@ const _: () = assert!(core::mem::size_of::<cn_capsule>() == 20 || core::mem::siz
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct cn_edge {
+    /// one end, in the body's frame
     pub a_m: cn_vec2,
+    /// the other end
     pub b_m: cn_vec2,
 }
 const _: () = assert!(core::mem::size_of::<cn_edge>() == 16 || core::mem::size_of::<usize>() != 8);
@@ -724,6 +746,7 @@ pub struct cn_polygon {
     pub count: i32,
     /// rounding added outside the points, >= 0
     pub radius_m: f32,
+    /// the first count of them; in the body's frame
     pub points_m: [cn_vec2; 16],
 }
 const _: () = assert!(core::mem::size_of::<cn_polygon>() == 136 || core::mem::size_of::<usize>() != 8);
@@ -782,9 +805,13 @@ const _: () = assert!(core::mem::size_of::<cn_manifold>() == 56 || core::mem::si
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct cn_contact_event {
+    /// one shape of the pair
     pub shape_a: cn_shape,
+    /// the other
     pub shape_b: cn_shape,
+    /// of shape_a
     pub body_a: cn_body,
+    /// of shape_b
     pub body_b: cn_body,
     /// edge number within a chain, else 0
     pub child_a: i32,
@@ -808,6 +835,7 @@ pub struct cn_contact_event {
     pub hit_point_m: cn_vec2,
     /// cn_material.user_id of the shapes; 0 for CREATED, LEAVE and DESTROYED
     pub material_a: u32,
+    /// the same of shape_b
     pub material_b: u32,
 }
 const _: () = assert!(core::mem::size_of::<cn_contact_event>() == 116 || core::mem::size_of::<usize>() != 8);
@@ -816,12 +844,17 @@ const _: () = assert!(core::mem::size_of::<cn_contact_event>() == 116 || core::m
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct cn_sensor_event {
+    /// the sensor
     pub sensor: cn_shape,
+    /// the shape that it met
     pub visitor: cn_shape,
+    /// the sensor's body
     pub sensor_body: cn_body,
+    /// the visitor's body
     pub visitor_body: cn_body,
     /// CN_EVENT_ENTER or CN_EVENT_LEAVE
     pub kind: i32,
+    /// 0
     pub reserved: u32,
 }
 const _: () = assert!(core::mem::size_of::<cn_sensor_event>() == 24 || core::mem::size_of::<usize>() != 8);
@@ -843,18 +876,20 @@ pub struct cn_joint_base {
     pub anchor_a_m: cn_vec2,
     /// the same for body b
     pub anchor_b_m: cn_vec2,
-    /// of the rigid parts, 0 to 1e6; 0 (default): as stiff as the substeps permit
+    /// of the rigid parts, > 0, to 1e6; CN_DEFAULT (default): as stiff as the substeps permit
     pub stiffness_hertz: f32,
-    /// used when stiffness_hertz > 0; 0 to 1e6
+    /// used with a stiffness_hertz; 0 to 1e6, default 0
     pub stiffness_damping_ratio: f32,
-    /// greatest force of anchors, axes and limits, >= 0; 0 (default): unbounded
+    /// greatest force of anchors, axes and limits, > 0; CN_DEFAULT (default): unbounded
     pub force_max_N: f32,
-    /// greatest torque of angles, >= 0; 0 (default): unbounded
+    /// greatest torque of angles, > 0; CN_DEFAULT (default): unbounded
     pub torque_max_Nm: f32,
-    /// a reaction above this in any substep is reported (cn_world_joint_events); 0 (default): never
+    /// a reaction above this in any substep is reported (cn_world_joint_events), > 0; CN_DEFAULT (default):
+    /// never
     pub break_force_N: f32,
     /// the same for the torque
     pub break_torque_Nm: f32,
+    /// a number for the user; default 0
     pub user_data: u64,
 }
 const _: () = assert!(core::mem::size_of::<cn_joint_base>() == 64 || core::mem::size_of::<usize>() != 8);
@@ -863,10 +898,13 @@ const _: () = assert!(core::mem::size_of::<cn_joint_base>() == 64 || core::mem::
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct cn_revolute_def {
+    /// what every joint has
     pub base: cn_joint_base,
+    /// angle b - angle a at joint angle 0
     pub reference_angle_rad: f32,
     /// CN_JOINT_LIMIT: -pi <= lower <= upper <= pi
     pub lower_angle_rad: f32,
+    /// the upper limit
     pub upper_angle_rad: f32,
     /// CN_JOINT_MOTOR
     pub motor_speed_radps: f32,
@@ -894,11 +932,13 @@ const _: () = assert!(core::mem::size_of::<cn_revolute_def>() == 96 || core::mem
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct cn_distance_def {
+    /// what every joint has
     pub base: cn_joint_base,
     /// > 0; default 1
     pub length_m: f32,
     /// CN_JOINT_LIMIT: 0 <= min <= max; default 0 and 1
     pub length_min_m: f32,
+    /// the upper limit
     pub length_max_m: f32,
     /// CN_JOINT_MOTOR: along the axis, positive lengthens; with spring or limit only
     pub motor_speed_mps: f32,
@@ -908,6 +948,7 @@ pub struct cn_distance_def {
     pub spring_hertz: f32,
     /// 0 to 1e6
     pub spring_damping_ratio: f32,
+    /// 0
     pub reserved: f32,
 }
 impl Default for cn_distance_def {
@@ -923,13 +964,15 @@ const _: () = assert!(core::mem::size_of::<cn_distance_def>() == 96 || core::mem
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct cn_fixed_def {
+    /// what every joint has
     pub base: cn_joint_base,
     /// angle b - angle a
     pub reference_angle_rad: f32,
-    /// stiffness of the angle alone, 0 to 1e6; 0: the base's
+    /// stiffness of the angle alone, > 0, to 1e6; CN_DEFAULT (default): the base's
     pub angular_hertz: f32,
     /// 0 to 1e6
     pub angular_damping_ratio: f32,
+    /// 0
     pub reserved: f32,
 }
 impl Default for cn_fixed_def {
@@ -945,6 +988,7 @@ const _: () = assert!(core::mem::size_of::<cn_fixed_def>() == 80 || core::mem::s
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct cn_prismatic_def {
+    /// what every joint has
     pub base: cn_joint_base,
     /// in body a's frame, any length > 0 (read back with length 1); default (1, 0)
     pub axis: cn_vec2,
@@ -952,6 +996,7 @@ pub struct cn_prismatic_def {
     pub reference_angle_rad: f32,
     /// CN_JOINT_LIMIT: lower <= upper
     pub lower_m: f32,
+    /// the upper limit
     pub upper_m: f32,
     /// CN_JOINT_MOTOR
     pub motor_speed_mps: f32,
@@ -978,11 +1023,13 @@ const _: () = assert!(core::mem::size_of::<cn_prismatic_def>() == 104 || core::m
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct cn_wheel_def {
+    /// what every joint has
     pub base: cn_joint_base,
     /// in body a's frame, any length > 0 (read back with length 1); default (0, 1)
     pub axis: cn_vec2,
     /// CN_JOINT_LIMIT: lower <= upper
     pub lower_m: f32,
+    /// the upper limit
     pub upper_m: f32,
     /// CN_JOINT_MOTOR
     pub motor_speed_radps: f32,
@@ -1017,6 +1064,7 @@ pub struct cn_motor_def {
     pub hertz: f32,
     /// 0 to 1e6, default 1
     pub damping_ratio: f32,
+    /// 0
     pub reserved: f32,
 }
 impl Default for cn_motor_def {
@@ -1033,7 +1081,9 @@ const _: () = assert!(core::mem::size_of::<cn_motor_def>() == 88 || core::mem::s
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct cn_mouse_def {
+    /// what every joint has
     pub base: cn_joint_base,
+    /// world
     pub target_m: cn_vec2,
     /// > 0, to 1e6; default 5
     pub hertz: f32,
@@ -1054,6 +1104,7 @@ const _: () = assert!(core::mem::size_of::<cn_mouse_def>() == 80 || core::mem::s
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct cn_gear_def {
+    /// what every joint has
     pub base: cn_joint_base,
     /// size 1e-4 to 1e4, negative: they turn against each other; default 1
     pub ratio: f32,
@@ -1074,6 +1125,7 @@ const _: () = assert!(core::mem::size_of::<cn_gear_def>() == 72 || core::mem::si
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct cn_pulley_def {
+    /// what every joint has
     pub base: cn_joint_base,
     /// world
     pub ground_a_m: cn_vec2,
@@ -1098,6 +1150,7 @@ const _: () = assert!(core::mem::size_of::<cn_pulley_def>() == 88 || core::mem::
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct cn_ratchet_def {
+    /// what every joint has
     pub base: cn_joint_base,
     /// default 0
     pub phase_rad: f32,
@@ -1118,6 +1171,7 @@ const _: () = assert!(core::mem::size_of::<cn_ratchet_def>() == 72 || core::mem:
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct cn_rotary_spring_def {
+    /// what every joint has
     pub base: cn_joint_base,
     /// default 0
     pub rest_angle_rad: f32,
@@ -1125,6 +1179,7 @@ pub struct cn_rotary_spring_def {
     pub hertz: f32,
     /// 0 to 1e6, default 0
     pub damping_ratio: f32,
+    /// 0
     pub reserved: f32,
 }
 impl Default for cn_rotary_spring_def {
@@ -1140,6 +1195,7 @@ const _: () = assert!(core::mem::size_of::<cn_rotary_spring_def>() == 80 || core
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct cn_groove_def {
+    /// what every joint has
     pub base: cn_joint_base,
     /// in body a's frame; not equal to anchor a; default (1, 0)
     pub end_m: cn_vec2,
@@ -1157,6 +1213,7 @@ const _: () = assert!(core::mem::size_of::<cn_groove_def>() == 72 || core::mem::
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct cn_filter_joint_def {
+    /// what every joint has
     pub base: cn_joint_base,
 }
 impl Default for cn_filter_joint_def {
@@ -1186,7 +1243,9 @@ pub struct cn_joint_event {
     pub torque_Nm: f32,
     /// 1: it broke, or one of its bodies was destroyed
     pub destroyed: u32,
+    /// 0
     pub reserved: u32,
+    /// the joint's or constraint's
     pub user_data: u64,
 }
 const _: () = assert!(core::mem::size_of::<cn_joint_event>() == 40 || core::mem::size_of::<usize>() != 8);
@@ -1196,6 +1255,7 @@ const _: () = assert!(core::mem::size_of::<cn_joint_event>() == 40 || core::mem:
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct cn_angle_constraint_def {
+    /// set by the init function
     pub struct_size: u32,
     /// CN_CONSTRAINT_*; default 0
     pub flags: u32,
@@ -1203,13 +1263,15 @@ pub struct cn_angle_constraint_def {
     pub body: cn_body,
     /// lower <= upper; equal: locked
     pub lower_rad: f32,
+    /// the upper limit
     pub upper_rad: f32,
-    /// 0 (default): rigid; to 1e6
+    /// > 0, to 1e6; CN_DEFAULT (default): rigid
     pub hertz: f32,
-    /// used when hertz > 0; 0 to 1e6
+    /// used with a hertz; 0 to 1e6
     pub damping_ratio: f32,
-    /// a reaction above this is reported (cn_world_joint_events); 0: never
+    /// a reaction above this is reported (cn_world_joint_events), > 0; CN_DEFAULT (default): never
     pub break_torque_Nm: f32,
+    /// a number for the user; default 0
     pub user_data: u64,
 }
 impl Default for cn_angle_constraint_def {
@@ -1226,6 +1288,7 @@ const _: () = assert!(core::mem::size_of::<cn_angle_constraint_def>() == 40 || c
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct cn_line_constraint_def {
+    /// set by the init function
     pub struct_size: u32,
     /// CN_CONSTRAINT_*; default 0
     pub flags: u32,
@@ -1241,14 +1304,17 @@ pub struct cn_line_constraint_def {
     pub tolerance_m: f32,
     /// CN_CONSTRAINT_LIMIT: along the axis from origin; lower <= upper
     pub lower_m: f32,
+    /// the upper limit
     pub upper_m: f32,
-    /// 0 (default): rigid; to 1e6
+    /// > 0, to 1e6; CN_DEFAULT (default): rigid
     pub hertz: f32,
-    /// used when hertz > 0; 0 to 1e6
+    /// used with a hertz; 0 to 1e6
     pub damping_ratio: f32,
-    /// a reaction above this is reported (cn_world_joint_events); 0: never
+    /// a reaction above this is reported (cn_world_joint_events), > 0; CN_DEFAULT (default): never
     pub break_force_N: f32,
+    /// 0
     pub reserved: u32,
+    /// a number for the user; default 0
     pub user_data: u64,
 }
 impl Default for cn_line_constraint_def {
@@ -1294,6 +1360,7 @@ const _: () = assert!(core::mem::size_of::<cn_ray>() == 16 || core::mem::size_of
 pub struct cn_ray_hit {
     /// 0: nothing was hit
     pub shape: cn_shape,
+    /// the shape's
     pub body: cn_body,
     /// edge of a chain
     pub child: i32,
@@ -1305,6 +1372,7 @@ pub struct cn_ray_hit {
     pub normal: cn_vec2,
     /// depth of the start inside it, 0 outside
     pub depth_m: f32,
+    /// 0
     pub reserved: u32,
 }
 const _: () = assert!(core::mem::size_of::<cn_ray_hit>() == 40 || core::mem::size_of::<usize>() != 8);
@@ -1325,6 +1393,7 @@ pub struct cn_query_filter {
     pub flags: u32,
     /// NULL (default): take all shapes
     pub visit: Option<cn_query_fn>,
+    /// last argument of visit
     pub user: *mut c_void,
 }
 impl Default for cn_query_filter {
@@ -1342,7 +1411,9 @@ const _: () = assert!(core::mem::size_of::<cn_query_filter>() == 40 || core::mem
 pub struct cn_closest {
     /// 0: nothing within the distance
     pub shape: cn_shape,
+    /// the shape's
     pub body: cn_body,
+    /// edge of a chain
     pub child: i32,
     /// negative: depth inside a shape with area
     pub distance_m: f32,
@@ -1365,6 +1436,7 @@ pub struct cn_distance {
     pub normal: cn_vec2,
     /// of the surfaces; negative: the depth, the shortest translation of b out of a
     pub distance_m: f32,
+    /// 0
     pub reserved: u32,
 }
 const _: () = assert!(core::mem::size_of::<cn_distance>() == 32 || core::mem::size_of::<usize>() != 8);
@@ -1374,6 +1446,7 @@ const _: () = assert!(core::mem::size_of::<cn_distance>() == 32 || core::mem::si
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct cn_sweep {
+    /// of the shape, before the motion
     pub start: cn_pose,
     /// that point, in the shape's frame: the centre of mass of a body
     pub center_m: cn_vec2,
@@ -1381,6 +1454,7 @@ pub struct cn_sweep {
     pub translation_m: cn_vec2,
     /// counter-clockwise, |turn| <= 1e4
     pub turn_rad: f32,
+    /// 0
     pub reserved: u32,
 }
 const _: () = assert!(core::mem::size_of::<cn_sweep>() == 40 || core::mem::size_of::<usize>() != 8);
@@ -1391,6 +1465,7 @@ const _: () = assert!(core::mem::size_of::<cn_sweep>() == 40 || core::mem::size_
 pub struct cn_impact {
     /// CN_IMPACT_*
     pub state: i32,
+    /// of both motions, \[0, 1\]
     pub fraction: f32,
     /// HIT only, as are the next two: between the surfaces
     pub point_m: cn_vec2,
@@ -1398,6 +1473,7 @@ pub struct cn_impact {
     pub normal: cn_vec2,
     /// of the surfaces at fraction: distance_m to 0.1 mm (or the resolution of floats) above it
     pub distance_m: f32,
+    /// 0
     pub reserved: u32,
 }
 const _: () = assert!(core::mem::size_of::<cn_impact>() == 32 || core::mem::size_of::<usize>() != 8);
@@ -1417,7 +1493,9 @@ pub struct cn_plane {
     pub push_max_m: f32,
     /// its push in the last cn_mover_solve
     pub push_m: f32,
+    /// whose surface it is
     pub shape: cn_shape,
+    /// the shape's
     pub body: cn_body,
     /// edge of a chain
     pub child: i32,
@@ -1428,6 +1506,7 @@ const _: () = assert!(core::mem::size_of::<cn_plane>() == 40 || core::mem::size_
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct cn_mover_def {
+    /// set by the init function
     pub struct_size: u32,
     /// CN_MOVER_DROP; default 0
     pub flags: u32,
@@ -1467,6 +1546,7 @@ const _: () = assert!(core::mem::size_of::<cn_mover_def>() == 216 || core::mem::
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct cn_mover {
+    /// of the shape's origin, world
     pub position_m: cn_vec2,
     /// in the air: of the world. On the ground: walking speed along the ground, relative to the ground, as
     /// its component across up; the one along up is 0, and a jump when the caller makes it > 0
@@ -1481,6 +1561,7 @@ pub struct cn_mover {
     pub ground_velocity_mps: cn_vec2,
     /// 0: none; a stale handle counts as none
     pub ground_body: cn_body,
+    /// the same for its shape
     pub ground_shape: cn_shape,
     /// CN_MOVER_ON_*, after the last move
     pub flags: u32,
@@ -1495,6 +1576,7 @@ const _: () = assert!(core::mem::size_of::<cn_mover>() == 64 || core::mem::size_
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct cn_area_def {
+    /// set by the init function
     pub struct_size: u32,
     /// CN_AREA_REPLACE; default 0
     pub flags: u32,
@@ -1506,8 +1588,8 @@ pub struct cn_area_def {
     pub center_m: cn_vec2,
     /// acceleration towards center_m; negative pushes; default 0
     pub pull_mps2: f32,
-    /// 0 (default): pull_mps2 at every distance; to 1e6 length units: at this distance, with its inverse
-    /// square outside, and falling to 0 at the centre: a homogeneous planet
+    /// CN_DEFAULT (default): pull_mps2 at every distance; > 0, to 1e6 length units: at this distance, with
+    /// its inverse square outside, and falling to 0 at the centre: a homogeneous planet
     pub pull_distance_m: f32,
     /// of the velocity relative to flow_mps, added to the body's own; of the displaced mass in a medium with
     /// density (which is the body's mass where it floats), else of the body's; 0 to 1e9, default 0
@@ -1537,6 +1619,7 @@ const _: () = assert!(core::mem::size_of::<cn_area_def>() == 64 || core::mem::si
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct cn_explosion_def {
+    /// set by the init function
     pub struct_size: u32,
     /// full strength up to this distance of a shape's nearest point, 0 to 1e6 length units; default 1
     pub radius_m: f32,
@@ -1563,6 +1646,7 @@ const _: () = assert!(core::mem::size_of::<cn_explosion_def>() == 64 || core::me
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct cn_debug_draw {
+    /// set by the init function
     pub struct_size: u32,
     /// CN_DRAW_*; default SHAPES | JOINTS | CONTACTS
     pub flags: u32,
@@ -1582,6 +1666,7 @@ pub struct cn_debug_draw {
     pub text: Option<cn_debug_draw_text_fn>,
     /// last argument of the functions
     pub user: *mut c_void,
+    /// 0
     pub reserved: *mut c_void,
 }
 impl Default for cn_debug_draw {
@@ -1640,10 +1725,10 @@ extern "C" {
     pub fn cn_world_set_solver(world: *mut cn_world, solver: i32) -> cn_result;
     /// Reads the solver (CN_SOLVER_*).
     pub fn cn_world_get_solver(world: *const cn_world, out_solver: *mut i32) -> cn_result;
-    /// Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, or CN_DEFAULT; 0 to 1e9, 0 for no
-    /// limit.
+    /// Sets accuracy_m and work_budget as in cn_world_def: metres >= 0 and 1 to 1e9, or CN_DEFAULT.
     pub fn cn_world_set_accuracy(world: *mut cn_world, accuracy_m: f32, work_budget: i32) -> cn_result;
-    /// Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget.
+    /// Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget
+    /// (CN_DEFAULT: none).
     pub fn cn_world_get_accuracy(world: *const cn_world, out_accuracy_m: *mut f32, out_work_budget: *mut i32) -> cn_result;
     /// Reads how many workers a step can use: 1, or worker_count where the library supports threads.
     pub fn cn_world_get_worker_count(world: *const cn_world, out_count: *mut i32) -> cn_result;

@@ -185,14 +185,14 @@ impl World {
         Ok(out_solver)
     }
 
-    /// Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, or CN_DEFAULT; 0 to 1e9, 0 for no
-    /// limit.
+    /// Sets accuracy_m and work_budget as in cn_world_def: metres >= 0 and 1 to 1e9, or CN_DEFAULT.
     pub fn set_accuracy(&mut self, accuracy_m: f32, work_budget: i32) -> Result<()> {
         self.check(unsafe { cairn_sys::cn_world_set_accuracy(self.pointer(), accuracy_m, work_budget) })?;
         Ok(())
     }
 
-    /// Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget.
+    /// Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget
+    /// (CN_DEFAULT: none).
     pub fn get_accuracy(&self) -> Result<(f32, i32)> {
         let mut out_accuracy_m = f32::default();
         let mut out_work_budget = i32::default();
