@@ -97,8 +97,8 @@
 #define CNI_ALIGNED(bytes)
 #endif
 
-/* Hint that memory is read soon; changes no result. */
-#if defined(__GNUC__)
+/* Hint that memory is read soon; changes no result. Small builds are for processors without a cache. */
+#if defined(__GNUC__) && !defined(CN_SMALL_BLOCKS)
 #define CNI_PREFETCH(address) __builtin_prefetch(address)
 #else
 #define CNI_PREFETCH(address) ((void)(address))

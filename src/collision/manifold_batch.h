@@ -18,8 +18,8 @@
 #include "collision/manifold.h"
 
 /* Pairs in a batch: a multiple of every width. */
-#ifdef CN_SMALL_BLOCKS /* a batch is on the stack */
-#define CNI_BATCH_PAIRS 8
+#ifdef CN_SMALL_BLOCKS /* without vectors one pair at a time: a batch is on the stack */
+#define CNI_BATCH_PAIRS 1
 #else
 #define CNI_BATCH_PAIRS 32
 #endif
