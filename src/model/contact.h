@@ -5,7 +5,7 @@
  *
  *   apart     slot = index in the apart list     record only; CNI_NONE while neither body is awake
  *   touching  slot = block * 16 + lane           a lane of a block of its colour, kept across steps
- *   asleep    slot = index in the sleep store    both bodies asleep (or one asleep, one static)
+ *   asleep    slot = index in the sleep store    both bodies asleep (or one asleep, one static); CNI_SLEEP_IN_BLOCKS: as touching
  *
  * Blocks are 16 lanes of 24 rows. The narrowphase writes lanes in place and the solver reads them directly: there is no prepare
  * and no store stage. Within a colour no dynamic body appears twice. A freed lane is filled by the colour's last lane, so that
@@ -47,6 +47,11 @@
 #define CNI_COLOR_STATIC 23
 #define CNI_COLOR_OVERFLOW 31
 #define CNI_COLORS 32
+/* Blocks of one lane have room for every touching contact: those that sleep keep theirs, in a list of its own. Else a block has lanes
+   of several contacts, and rows of those that sleep move to an array. */
+#define CNI_SLEEP_IN_BLOCKS (CNI_LANES == 1)
+#define CNI_COLOR_ASLEEP 32
+#define CNI_COLOR_LISTS (CNI_COLORS + 2 * CNI_SLEEP_IN_BLOCKS) /* even, so that the world has no padding */
 
 typedef struct cni_contact_row {
 	float at[CNI_LANES], an[CNI_LANES], s0[CNI_LANES], nm[CNI_LANES], jn[CNI_LANES], load[CNI_LANES];
@@ -137,8 +142,8 @@ typedef struct cni_listed_block {
 	cni_contact_block *rows;
 	cni_block_extra *extra;  /* NULL: no lane needs it */
 	cni_block_info *info;
-	uint32_t fresh;          /* lanes that began to touch in this step, as bits */
-	int32_t begin, lanes;    /* the passes solve lanes begin .. lanes - 1; as listed, all lanes in use */
+	uint16_t fresh;          /* lanes that began to touch in this step, as bits */
+	uint8_t begin, lanes;    /* the passes solve lanes begin .. lanes - 1; as listed, all lanes in use */
 	int32_t kind;            /* CNI_CONTACTS_ of model/solve.h */
 } cni_listed_block;
 

@@ -174,7 +174,7 @@ static void tables_init(cn_world *world)
 	cni_array_init(&world->pairs.list, (int32_t)sizeof(cni_pair));
 	cni_array_init(&world->areas, (int32_t)sizeof(cni_area));
 	cni_events_init(&world->events);
-	for (k = 0; k < CNI_COLORS; ++k)
+	for (k = 0; k < CNI_COLOR_LISTS; ++k)
 		world->colors[k].first = world->colors[k].last = CNI_NONE;
 	world->proxy_free = world->contact_free = world->block_free = world->island_free = CNI_NONE;
 }
@@ -220,10 +220,10 @@ static void tables_deinit(cn_world *world)
 	cni_events_deinit(&world->events, memory);
 }
 
-/* Creates the dummy body at dense index 0: infinite mass, never moves. */
-static cn_result dummy_create(cn_world *world)
+/* Creates the dummy body at dense index 0, with room for others: infinite mass, never moves. */
+static cn_result dummy_create(cn_world *world, int32_t bodies)
 {
-	if (cni_body_reserve(world, 0) != CN_OK)
+	if (cni_body_reserve(world, bodies) != CN_OK)
 		return CN_ERROR_MEMORY;
 	world->awake_count = 1;
 	world->motion.count = world->start.count = world->external.count = world->awake_id.count = 1;
@@ -272,7 +272,7 @@ static cn_result team_create(cn_world *world, const cn_world_def *d)
 
 /* ---- capacities ---- */
 
-#define SPARE_BYTES 1024u /* what the first allocations leave between others when they grow */
+#define SPARE_BYTES 0u /* what the first allocations leave between others when they grow */
 
 /* Slots that have worn out their index are found by a list of aliases, which a fixed world has beforehand. */
 static int32_t reserve_handles(cn_world *world, const cn_world_def *d, cni_handles *handles, int32_t capacity)
@@ -288,7 +288,7 @@ static int32_t reserve_records(cn_world *world, const cn_world_def *d)
 	return reserve_handles(world, d, &world->body_handles, bodies) && cni_table_reserve(&world->bodies, m, bodies) &&
 	       reserve_handles(world, d, &world->shape_handles, shapes) && cni_table_reserve(&world->shapes, m, shapes) &&
 	       reserve_handles(world, d, &world->joint_handles, joints) && cni_table_reserve(&world->joints, m, joints) &&
-	       cni_body_reserve(world, d->body_capacity) == CN_OK && cni_table_reserve(&world->proxies, m, d->shape_capacity) &&
+	       cni_table_reserve(&world->proxies, m, d->shape_capacity) &&
 	       cni_island_reserve(world, d->body_capacity / 2 + 2);
 }
 
@@ -323,6 +323,8 @@ static int32_t blocks_for(int32_t lanes)
 {
 	return lanes / CNI_LANES + (CNI_LANES == 1 ? 0 : cni_min_i(lanes, CNI_COLORS));
 }
+
+static int32_t sleep_lanes_for(int32_t lanes) { return CNI_SLEEP_IN_BLOCKS ? 0 : lanes; }
 
 /* Most islands: bodies that touch nothing have none. */
 static int32_t islands_for(int32_t bodies)
@@ -385,7 +387,7 @@ static int32_t reserve_moved(cn_world *world, const cn_world_def *d)
 static int32_t reserve_rest(cn_world *world, const cn_world_def *d)
 {
 	cni_memory *m = &world->memory;
-	return reserve_events(world, d) && reserve_pieces(world, d) && cni_array_reserve_exact(&world->sleep_lanes, m, touching_of(d)) &&
+	return reserve_events(world, d) && reserve_pieces(world, d) && cni_array_reserve_exact(&world->sleep_lanes, m, sleep_lanes_for(touching_of(d))) &&
 	       cni_array_reserve_exact(&world->pairs.list, m, d->contact_capacity) &&
 	       cni_array_reserve_exact(&world->direct_islands, m, CNI_HAS_DIRECT ? d->body_capacity / 2 : 0) &&
 	       cni_array_reserve_exact(&world->direct_plans[0], m, plan_items(d)) &&
@@ -457,7 +459,7 @@ static uint64_t event_arrays_bytes(int32_t n)
 static uint64_t contact_arrays_bytes(int32_t contacts, int32_t touching)
 {
 	return array_bytes(contacts, sizeof(int32_t)) + array_bytes(contacts, sizeof(cni_pair)) + array_bytes(blocks_for(touching), sizeof(cni_listed_block)) +
-	       array_bytes(touching, sizeof(cni_sleep_lane));
+	       array_bytes(sleep_lanes_for(touching), sizeof(cni_sleep_lane));
 }
 
 static uint64_t joint_arrays_bytes(int32_t joints)
@@ -526,7 +528,7 @@ cn_result cn_world_create(const cn_world_def *def, cn_world **out_world)
 	tables_init(world);
 	world->event_capacity = events_of(def);
 	world->vertex_capacity = def->memory != NULL ? def->vertex_capacity : 0;
-	created = dummy_create(world) == CN_OK && broadphase_create(world, def->shape_capacity) == CN_OK &&
+	created = dummy_create(world, def->body_capacity) == CN_OK && broadphase_create(world, def->shape_capacity) == CN_OK &&
 	       reserve_records(world, def) && reserve_contacts(world, def) &&
 	       (def->memory == NULL || reserve_rest(world, def)) && team_create(world, def) == CN_OK;
 	if (!created) {
