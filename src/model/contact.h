@@ -157,21 +157,22 @@ typedef struct cni_sleep_lane {
 	int32_t contact;
 } cni_sleep_lane;
 
+/* Without events the bits of their contacts are 0, so that the compiler drops what they lead to. */
 enum {
 	CNI_CONTACT_TOUCHING = 1u << 0,
 	CNI_CONTACT_FLIPPED = 1u << 1,
 	CNI_CONTACT_ASLEEP = 1u << 2,       /* slot is in the sleep store */
 	CNI_CONTACT_LINKED = 1u << 3,       /* links two dynamic bodies' islands */
-	CNI_CONTACT_ENTER_OWED = 1u << 4,   /* its event is deferred: no memory yet */
-	CNI_CONTACT_CREATED_OWED = 1u << 5,
+	CNI_CONTACT_ENTER_OWED = CNI_HAS_EVENTS << 4,   /* its event is deferred: no memory yet */
+	CNI_CONTACT_CREATED_OWED = CNI_HAS_EVENTS << 5,
 	CNI_CONTACT_ENTERED = 1u << 6,      /* began to touch (or to report it) in the last step, or woke since: no STAY */
 	CNI_CONTACT_REFRESH = 1u << 7,      /* material changed: must be rewritten in the lane */
-	CNI_CONTACT_SENSOR = 1u << 8,       /* one shape is a sensor: overlap is reported, nothing is solved */
-	CNI_CONTACT_SENSING = 1u << 9,      /* ... and they overlap */
+	CNI_CONTACT_SENSOR = CNI_HAS_EVENTS << 8,       /* one shape is a sensor: overlap is reported, nothing is solved */
+	CNI_CONTACT_SENSING = CNI_HAS_EVENTS << 9,      /* ... and they overlap */
 	CNI_CONTACT_ONE_WAY = 1u << 10,     /* one shape is a one-way platform */
 	CNI_CONTACT_PASSING = 1u << 11,     /* ... that the other shape is passing through */
-	CNI_CONTACT_PRE_SOLVE = 1u << 12,   /* the user's callback sees it before solving */
-	CNI_CONTACT_MUTE = 1u << 13,        /* a sensor that reports nothing: a fixed block has no room for it */
+	CNI_CONTACT_PRE_SOLVE = CNI_HAS_EVENTS << 12,   /* the user's callback sees it before solving */
+	CNI_CONTACT_MUTE = CNI_HAS_EVENTS << 13,        /* a sensor that reports nothing: a fixed block has no room for it */
 	CNI_CONTACT_EVENTS_SHIFT = 16       /* bits 16..21: the CN_EVENT_ kinds that it reports */
 };
 
@@ -192,7 +193,7 @@ int32_t cni_contact_reserve_reports(cn_world *world, int32_t count);
 /* Does a contact with these flags report events? */
 static inline int32_t cni_contact_reports(uint32_t flags)
 {
-	return (flags & (CNI_CONTACT_SENSOR | CNI_CONTACT_MUTE)) == CNI_CONTACT_SENSOR || flags >> CNI_CONTACT_EVENTS_SHIFT != 0;
+	return CNI_HAS_EVENTS && ((flags & (CNI_CONTACT_SENSOR | CNI_CONTACT_MUTE)) == CNI_CONTACT_SENSOR || flags >> CNI_CONTACT_EVENTS_SHIFT != 0);
 }
 /* Record of an existing contact between two proxies, or CNI_NONE. O(contacts of the body with fewer). */
 int32_t cni_contact_find(const cn_world *world, int32_t proxy_a, int32_t proxy_b);

@@ -172,7 +172,11 @@ void cni_lane_take(cn_world *world, int32_t contact)
 	cni_lane_set_bodies(world, c);
 }
 
-void cni_lane_take_asleep(cn_world *world, int32_t contact) { slot_take(world, contact, CNI_COLOR_ASLEEP); }
+void cni_lane_take_asleep(cn_world *world, int32_t contact)
+{
+	slot_take(world, contact, CNI_SLEEP_IN_BLOCKS ? CNI_COLOR_ASLEEP : CNI_COLOR_OVERFLOW);
+	CNI_ASSERT(CNI_SLEEP_IN_BLOCKS);
+}
 
 static void extra_move(cn_world *world, int32_t from, int32_t to)
 {

@@ -21,7 +21,7 @@
 #include "broadphase/broadphase.h"
 #include "model/tuning.h"
 
-#define CNI_ERROR_TEXT_BYTES 192
+#define CNI_ERROR_TEXT_BYTES (CNI_HAS_MESSAGES ? 192 : 8)
 #define CNI_ESTIMATED_MOST 32
 
 /* Items in a page of each table, as powers of two: small first pages keep an empty world small. */

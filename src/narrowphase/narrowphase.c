@@ -363,7 +363,7 @@ static void changes_apply(cn_world *world, const change_list *list, float dt)
 static void contacts_collide(cn_world *world, window *w, cni_cull *cull, change_list *changes, float dt)
 {
 	int32_t k, count;
-	w->prefetches = cull->of.prefetches;
+	w->prefetches = cni_cull_prefetches(&cull->of);
 	while ((count = cni_cull_next(cull, w->pair, WINDOW)) > 0) {
 		window_collide(world, w, count, dt);
 		for (k = 0; k < count; ++k)

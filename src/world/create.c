@@ -137,6 +137,56 @@ static void settings_resolve(cni_settings *set, const cn_world_def *d)
 
 /* ---- tables ---- */
 
+/* Tables and arrays of the world: where they are, and the size of an item. */
+typedef struct table_of_world {
+	uint16_t offset, item_bytes, page_shift;
+} table_of_world;
+
+typedef struct array_of_world {
+	uint16_t offset, item_bytes;
+} array_of_world;
+
+#define TABLE(member, item, page_shift) { offsetof(cn_world, member), sizeof(item), page_shift }
+static const table_of_world world_tables[] = {
+	TABLE(bodies, cni_body, CNI_PAGE_BODIES),
+	TABLE(readback, cn_body_moved, CNI_PAGE_READBACK),
+	TABLE(shapes, cni_shape, CNI_PAGE_SHAPES),
+	TABLE(proxies, cni_proxy, CNI_PAGE_PROXIES),
+	TABLE(contacts, cni_contact, CNI_PAGE_CONTACTS),
+	TABLE(blocks_hot, cni_contact_block, CNI_PAGE_BLOCKS),
+	TABLE(blocks_info, cni_block_info, CNI_PAGE_BLOCKS),
+	TABLE(blocks_anchor, cni_block_anchor, CNI_PAGE_BLOCKS),
+	TABLE(blocks_extra, cni_block_extra, CNI_PAGE_BLOCKS),
+	TABLE(joints, cni_joint, CNI_PAGE_JOINTS),
+	TABLE(islands, cni_island, CNI_PAGE_ISLANDS),
+};
+
+#define ARRAY(member, item_bytes) { offsetof(cn_world, member), item_bytes }
+static const array_of_world world_arrays[] = {
+	ARRAY(motion, sizeof(cni_motion)),
+	ARRAY(start, sizeof(cni_velocity_start)),
+	ARRAY(external, sizeof(cni_external)),
+	ARRAY(awake_id, sizeof(int32_t)),
+	ARRAY(kicked, sizeof(cn_body)),
+	ARRAY(previous, sizeof(cni_previous)),
+	ARRAY(apart, sizeof(int32_t)),
+	ARRAY(awake_joints, sizeof(int32_t)),
+	ARRAY(direct_islands, sizeof(int32_t)),
+	ARRAY(direct_plans[0], CNI_KEPT_BYTES),
+	ARRAY(direct_plans[1], CNI_KEPT_BYTES),
+	ARRAY(joint_work, CNI_JOINT_CONSTRAINT_BYTES),
+	ARRAY(block_list, sizeof(cni_listed_block)),
+	ARRAY(joint_blocks, sizeof(cni_joint_block)),
+	ARRAY(sleep_lanes, sizeof(cni_sleep_lane)),
+	ARRAY(pairs.list, sizeof(cni_pair)),
+	ARRAY(areas, sizeof(cni_area)),
+};
+
+#define COUNT_OF(list) ((int32_t)(sizeof(list) / sizeof((list)[0])))
+
+static cni_table *table_at(cn_world *world, int32_t k) { return (cni_table *)(void *)((uint8_t *)world + world_tables[k].offset); }
+static cni_array *array_at(cn_world *world, int32_t k) { return (cni_array *)(void *)((uint8_t *)world + world_arrays[k].offset); }
+
 static void tables_init(cn_world *world)
 {
 	int32_t k;
@@ -145,34 +195,10 @@ static void tables_init(cn_world *world)
 	cni_handles_init(&world->body_handles, CNI_KIND_BODY);
 	cni_handles_init(&world->shape_handles, CNI_KIND_SHAPE);
 	cni_handles_init(&world->joint_handles, CNI_KIND_JOINT);
-	cni_table_init(&world->bodies, (int32_t)sizeof(cni_body), CNI_PAGE_BODIES);
-	cni_table_init(&world->readback, (int32_t)sizeof(cn_body_moved), CNI_PAGE_READBACK);
-	cni_table_init(&world->shapes, (int32_t)sizeof(cni_shape), CNI_PAGE_SHAPES);
-	cni_table_init(&world->proxies, (int32_t)sizeof(cni_proxy), CNI_PAGE_PROXIES);
-	cni_table_init(&world->contacts, (int32_t)sizeof(cni_contact), CNI_PAGE_CONTACTS);
-	cni_table_init(&world->blocks_hot, (int32_t)sizeof(cni_contact_block), CNI_PAGE_BLOCKS);
-	cni_table_init(&world->blocks_info, (int32_t)sizeof(cni_block_info), CNI_PAGE_BLOCKS);
-	cni_table_init(&world->blocks_anchor, (int32_t)sizeof(cni_block_anchor), CNI_PAGE_BLOCKS);
-	cni_table_init(&world->blocks_extra, (int32_t)sizeof(cni_block_extra), CNI_PAGE_BLOCKS);
-	cni_table_init(&world->joints, (int32_t)sizeof(cni_joint), CNI_PAGE_JOINTS);
-	cni_table_init(&world->islands, (int32_t)sizeof(cni_island), CNI_PAGE_ISLANDS);
-	cni_array_init(&world->motion, (int32_t)sizeof(cni_motion));
-	cni_array_init(&world->start, (int32_t)sizeof(cni_velocity_start));
-	cni_array_init(&world->external, (int32_t)sizeof(cni_external));
-	cni_array_init(&world->awake_id, (int32_t)sizeof(int32_t));
-	cni_array_init(&world->kicked, (int32_t)sizeof(cn_body));
-	cni_array_init(&world->previous, (int32_t)sizeof(cni_previous));
-	cni_array_init(&world->apart, (int32_t)sizeof(int32_t));
-	cni_array_init(&world->awake_joints, (int32_t)sizeof(int32_t));
-	cni_array_init(&world->direct_islands, (int32_t)sizeof(int32_t));
-	cni_array_init(&world->direct_plans[0], CNI_KEPT_BYTES);
-	cni_array_init(&world->direct_plans[1], CNI_KEPT_BYTES);
-	cni_array_init(&world->joint_work, CNI_JOINT_CONSTRAINT_BYTES);
-	cni_array_init(&world->block_list, (int32_t)sizeof(cni_listed_block));
-	cni_array_init(&world->joint_blocks, (int32_t)sizeof(cni_joint_block));
-	cni_array_init(&world->sleep_lanes, (int32_t)sizeof(cni_sleep_lane));
-	cni_array_init(&world->pairs.list, (int32_t)sizeof(cni_pair));
-	cni_array_init(&world->areas, (int32_t)sizeof(cni_area));
+	for (k = 0; k < COUNT_OF(world_tables); ++k)
+		cni_table_init(table_at(world, k), world_tables[k].item_bytes, world_tables[k].page_shift);
+	for (k = 0; k < COUNT_OF(world_arrays); ++k)
+		cni_array_init(array_at(world, k), world_arrays[k].item_bytes);
 	cni_events_init(&world->events);
 	for (k = 0; k < CNI_COLOR_LISTS; ++k)
 		world->colors[k].first = world->colors[k].last = CNI_NONE;
@@ -182,6 +208,7 @@ static void tables_init(cn_world *world)
 static void tables_deinit(cn_world *world)
 {
 	cni_memory *memory = &world->memory;
+	int32_t k;
 	if (world->broadphase != NULL)
 		world->broadphase_ops->destroy(world->broadphase);
 	cni_arena_deinit(&world->arena);
@@ -189,34 +216,10 @@ static void tables_deinit(cn_world *world)
 	cni_handles_deinit(&world->body_handles, memory);
 	cni_handles_deinit(&world->shape_handles, memory);
 	cni_handles_deinit(&world->joint_handles, memory);
-	cni_table_deinit(&world->bodies, memory);
-	cni_table_deinit(&world->readback, memory);
-	cni_table_deinit(&world->shapes, memory);
-	cni_table_deinit(&world->proxies, memory);
-	cni_table_deinit(&world->contacts, memory);
-	cni_table_deinit(&world->blocks_hot, memory);
-	cni_table_deinit(&world->blocks_info, memory);
-	cni_table_deinit(&world->blocks_anchor, memory);
-	cni_table_deinit(&world->blocks_extra, memory);
-	cni_table_deinit(&world->joints, memory);
-	cni_table_deinit(&world->islands, memory);
-	cni_array_deinit(&world->motion, memory);
-	cni_array_deinit(&world->start, memory);
-	cni_array_deinit(&world->external, memory);
-	cni_array_deinit(&world->awake_id, memory);
-	cni_array_deinit(&world->kicked, memory);
-	cni_array_deinit(&world->previous, memory);
-	cni_array_deinit(&world->apart, memory);
-	cni_array_deinit(&world->awake_joints, memory);
-	cni_array_deinit(&world->direct_islands, memory);
-	cni_array_deinit(&world->direct_plans[0], memory);
-	cni_array_deinit(&world->direct_plans[1], memory);
-	cni_array_deinit(&world->joint_work, memory);
-	cni_array_deinit(&world->block_list, memory);
-	cni_array_deinit(&world->joint_blocks, memory);
-	cni_array_deinit(&world->sleep_lanes, memory);
-	cni_array_deinit(&world->pairs.list, memory);
-	cni_array_deinit(&world->areas, memory);
+	for (k = 0; k < COUNT_OF(world_tables); ++k)
+		cni_table_deinit(table_at(world, k), memory);
+	for (k = 0; k < COUNT_OF(world_arrays); ++k)
+		cni_array_deinit(array_at(world, k), memory);
 	cni_events_deinit(&world->events, memory);
 }
 

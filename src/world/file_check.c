@@ -103,7 +103,7 @@ static int32_t body_numbers_hold(const cni_body *b)
 
 static int32_t shape_numbers_hold(const cni_shape *s)
 {
-	return s->event_mask < 1u << CN_EVENT_KINDS && (s->mix & 15) <= CN_MIX_MAXIMUM && s->mix >> 4 <= CN_MIX_MAXIMUM && s->static_friction >= 0.0f &&
+	return (s->event_mask & ~CNI_EVENT_MASK) == 0 && (CNI_HAS_EVENTS || (s->flags & ~CNI_SHAPE_FLAGS) == 0) && (CNI_HAS_RESTITUTION || s->restitution == 0.0f) && (s->mix & 15) <= CN_MIX_MAXIMUM && s->mix >> 4 <= CN_MIX_MAXIMUM && s->static_friction >= 0.0f &&
 	       s->dynamic_friction >= 0.0f && s->restitution >= 0.0f && s->restitution <= 1.0f && s->rolling_resistance >= 0.0f && s->density >= 0.0f;
 }
 
