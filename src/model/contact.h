@@ -137,14 +137,23 @@ typedef struct cni_color {
 	int32_t listed_count;  /* its blocks in the list */
 } cni_color;
 
+/* Numbers of a listed block; words are an instruction less where they are read. */
+#ifdef CN_SMALL_BLOCKS
+typedef uint16_t cni_listed_number;
+typedef uint16_t cni_listed_bits;
+#else
+typedef int32_t cni_listed_number;
+typedef uint32_t cni_listed_bits;
+#endif
+
 /* A block in the list of a step's passes: colours in order, a colour's blocks in order. */
 typedef struct cni_listed_block {
 	cni_contact_block *rows;
 	cni_block_extra *extra;  /* NULL: no lane needs it */
 	cni_block_info *info;
-	uint16_t fresh;          /* lanes that began to touch in this step, as bits */
-	uint8_t begin, lanes;    /* the passes solve lanes begin .. lanes - 1; as listed, all lanes in use */
-	int32_t kind;            /* CNI_CONTACTS_ of model/solve.h */
+	cni_listed_bits fresh;   /* lanes that began to touch in this step, as bits */
+	cni_listed_number begin, lanes; /* the passes solve lanes begin .. lanes - 1; as listed, all lanes in use */
+	cni_listed_number kind;  /* CNI_CONTACTS_ of model/solve.h */
 } cni_listed_block;
 
 
