@@ -585,12 +585,13 @@ static void kernel_closing(const cni_velocity_start *starts, const cni_listed_bl
 
 #include "contacts/restitution_kernel.h"
 
-#else
-#define kernel_closing NULL
-#define kernel_impact NULL
 #endif
 
 #include "contacts/manifold_reuse_kernel.h"
 #include "model/tuning.h"
 
+#if CNI_HAS_RESTITUTION
 const cni_contact_kernel CNI_KERNEL = { { kernel_warm, kernel_solve, kernel_relax }, kernel_closing, kernel_impact, kernel_reuse };
+#else
+const cni_contact_kernel CNI_KERNEL = { { kernel_warm, kernel_solve, kernel_relax }, NULL, NULL, kernel_reuse };
+#endif
