@@ -23,6 +23,7 @@
 #   make tuning     each tuning constant of the solver times 0.7 and 1.4: bounds lost: test/tuning/README.md
 #   make feature-cost  what each feature costs a step, used and unused: see examples/README.md
 #   make embedded   50 boxes on a Cortex-M4F and a 32-bit RISC-V, in emulators: examples/embedded
+#   make sizes      bytes of code of each part of the library, for a Cortex-M4F and x86-64; six minutes
 #   make testbed    scenes to play with, in a window; make testbed-web in a browser: examples/testbed/README.md
 #   make docs       the documentation as a site: build/docs/index.html
 #   make rollback   inputs that arrive late: examples/rollback.c    make examples   every small example
@@ -101,7 +102,7 @@ TIMES_SRC := $(sort $(wildcard test/*/*_time_test.c))
 TESTS := $(patsubst %.c,$(BUILD)/%,$(filter-out $(TIMES_SRC),$(TEST_SRC))) bindings/test/current.sh test/examples/small.sh
 SMALL_CHECKED := $(SMALL_SRC:examples/%.c=$(BUILD)/checked/bin/%)
 
-.PHONY: all bindings amalgamation demo test test-all test-times mutation stability test-bindings bench bench-peers bench-diff bench-scale feature-cost hello platformer rollback replay fuzz embedded check-deps check-links install clean soak FORCE
+.PHONY: all bindings amalgamation demo test test-all test-times mutation stability test-bindings bench bench-peers bench-diff bench-scale feature-cost hello platformer rollback replay fuzz embedded sizes check-deps check-links install clean soak FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -159,6 +160,9 @@ rollback: $(BUILD)/bin/rollback
 # Needs cross compilers and QEMU (.ci/deps).
 embedded:
 	@sh examples/embedded/run.sh $(BUILD)/embedded $(CONFIGURATION)
+
+sizes:
+	@sh examples/embedded/sizes.sh $(BUILD)/sizes
 
 # Every small program, one task a file: each prints its result and checks it.
 .PHONY: examples

@@ -171,10 +171,21 @@ amalgamation_golden() { # compiler
 		END { if (!found) print "no AVX at all"; exit bad || !found }'
 }
 
-# Bare metal: the smallest configuration on three processors.
+# Bare metal: the smallest configuration on three processors, with bounds on its flash, RAM and stack; what it refuses; and tests of a
+# library with small blocks, whose sleeping contacts are kept in another way.
 embedded() {
 	sh examples/embedded/run.sh "$build/embedded" least > "$build/embedded.log" 2>&1
 	read_log embedded $?
+	check embedded-refused embedded_refused
+	suite small-blocks gcc '-O1' "$slow -DCN_SMALL_BLOCKS -DCN_NO_THREADS" "$small"
+}
+embedded_refused() {
+	. examples/embedded/definitions.sh
+	mkdir -p "$build/embedded/refused"
+	for file in src/*/*.c; do echo "$file"; done | OUT=$build/embedded/refused FLAGS="-std=c99 -O1 -DCNI_DEBUG -ffp-contract=off -Iinclude -Isrc -DCN_NO_THREADS $without_solvers $without_joints $without_rest" \
+		xargs -P "$cores" -n 1 sh -c 'gcc $FLAGS -c "$1" -o "$OUT/$(echo "$1" | tr / _).o"' sh || return 1
+	gcc -std=c99 -pedantic -Wall -Wextra -Werror -Iinclude test/embedded/refused.c "$build"/embedded/refused/*.o -lm -o "$build/embedded/refused/refused" &&
+		"$build/embedded/refused/refused"
 }
 
 # Every C block of the documentation compiles and runs: examples/docs/site/check.py
@@ -252,6 +263,9 @@ slow='-DCNI_DEBUG -DTEST_SLOW' # a build that is slow: fewer scenes of a kind
 threads='base/threads broadphase/broadphase_threads world/threads world/threads_contacts world/threads_pairs'
 bits='world/determinism world/random collision/manifold_batch step/integrate joints/joint_blocks joints/joint_rows
 	narrowphase/cull'
+# What sleeps, wakes, is saved or checked.
+small='world/sleep world/sleep_slow world/wake world/body_state world/events_pair world/validate world/save world/save_delta world/file_hostile
+	world/memory_block world/calls world/random world/determinism'
 # What reads and writes each struct of the library at least once.
 calls='base/memory base/arena base/blocks base/table base/handles collision/manifold broadphase/tree collision/cast broadphase/sweep
 	linear/sparse world/memory world/memory_block world/calls world/arguments world/joint_all world/joint_life world/body_state world/shape

@@ -4,8 +4,10 @@
 # configuration must be equal. Configurations, each without the parts of the one before; without a name all of them:
 #
 #   whole      everything                         soft    no direct solving, sequential solver or sweep broadphase; small blocks
-#   contacts   and no joints                      least   and no continuous collision
+#   contacts   and no joints                      least   and no continuous collision, events, restitution, chains, circles, messages
 #
+# Checks the bounds on flash, RAM and stack of `least` on the boards (see bounds). The library is compiled without unused parts by
+# definitions.sh, which sizes.sh uses too.
 # Ends with one line "N passed, N failed, N skipped".
 set -u
 build=$1
@@ -14,14 +16,30 @@ examples=$(dirname "$0")/..
 cd "$examples/.."
 passed=0 failed=0 skipped=0
 
+. examples/embedded/definitions.sh
+
 defines_of() {
-	defines=
-	[ "$1" = whole ] && return
-	defines='-DCN_NO_DIRECT -DCN_NO_SEQUENTIAL -DCN_NO_SWEEP -DCN_NO_AREAS -DCN_SMALL_BLOCKS'
-	[ "$1" = soft ] && return
-	defines="$defines -DCN_NO_JOINTS"
-	[ "$1" = contacts ] && return
-	defines="$defines -DCN_NO_CONTINUOUS"
+	case $1 in
+	whole) defines= ;;
+	soft) defines=$without_solvers ;;
+	contacts) defines="$without_solvers $without_joints" ;;
+	*) defines="$without_solvers $without_joints $without_rest" ;;
+	esac
+}
+
+# Bytes of flash, RAM and stack that `least` may take. 64 KiB of RAM and 4 KiB of stack are what a world of 50 boxes is to need. So are
+# 64 KiB of flash, which are not reached: manifolds, the solver of contacts, boxes, bodies, islands and sleep are 45 KB, and each other part of a step is small.
+bounds() {
+	case $1 in
+	cortex_m) echo 86016 65536 4096 ;;
+	riscv) echo 98304 65536 4096 ;;
+	esac
+}
+
+number() { sed -n "s/^$1 //p" "$out/log"; }
+
+within() { # what bound
+	if [ "$(number "$1")" -le "$2" ]; then passed=$((passed + 1)); else echo "$board, $configuration: $1 $(number "$1"), bound <= $2"; failed=$((failed + 1)); fi
 }
 
 # What no program of the configuration reaches; the linker drops the rest.
@@ -44,7 +62,7 @@ board() { # name, compiler, emulator, flags, linker script
 	out=$build/$board-$configuration
 	mkdir -p "$out"
 	flags="$flags -std=c99 -pedantic -Wall -Wextra -Werror -Os -ffp-contract=off -fno-math-errno -ffunction-sections -fdata-sections -Iinclude -Isrc -Iexamples $defines"
-	flags="$flags -DCN_NO_THREADS -DCN_NO_CLOCK -DCN_NO_MALLOC -DCN_NO_SIMD"
+	flags="$flags $bare_metal"
 	boards=examples/embedded/board_$board.c
 	link=
 	if [ "$board" != host ]; then
@@ -60,6 +78,12 @@ board() { # name, compiler, emulator, flags, linker script
 	echo "$board, $configuration: $(tr '\n' ' ' < "$out/log")"
 	hash=${hash:-$found}
 	if [ -n "$found" ] && [ "$found" = "$hash" ]; then passed=$((passed + 1)); else echo "$board, $configuration: another hash"; failed=$((failed + 1)); fi
+	[ "$configuration" = least ] && [ "$board" != host ] || return 0
+	# shellcheck disable=SC2046
+	set -- $(bounds "$board")
+	within "flash bytes" "$1"
+	within "bytes needed" "$2"
+	within "stack bytes" "$3"
 }
 
 for configuration in ${*:-whole soft contacts least}; do

@@ -84,7 +84,7 @@ void *cni_arena_push(cni_arena *arena, uint64_t bytes)
 		return NULL;
 	entry = &arena->entries[arena->entry_count++];
 	entry->pointer = pointer;
-	entry->bytes = taken;
+	entry->bytes = (size_t)taken;
 	entry->fallback = fallback;
 	if (fallback)
 		arena->fallbacks += 1;

@@ -18,7 +18,7 @@
 
 typedef struct cni_arena_entry {
 	void *pointer;
-	uint64_t bytes;
+	size_t bytes;
 	int32_t fallback;
 } cni_arena_entry;
 

@@ -285,7 +285,7 @@ static int32_t chunk_add(cni_blocks *blocks, int32_t class_index, int32_t count)
 	if (!slot_reserve(blocks))
 		return 0;
 	for (; chunk == NULL && wanted >= piece; wanted /= 2) {
-		taken = cni_memory_rounded(wanted / piece * piece);
+		taken = cni_memory_rounded((uint32_t)wanted / (uint32_t)piece * (uint32_t)piece); /* of 32 bits, as the largest chunk */
 		chunk = chunk_alloc(blocks, taken);
 	}
 	if (chunk == NULL)

@@ -65,6 +65,31 @@
 #else
 #define CNI_HAS_AREAS 1
 #endif
+#ifdef CN_NO_EVENTS /* contact and sensor events, pre-solve callbacks: shapes that ask for them are refused */
+#define CNI_HAS_EVENTS 0
+#else
+#define CNI_HAS_EVENTS 1
+#endif
+#ifdef CN_NO_RESTITUTION /* contacts/restitution.c: materials with restitution are refused */
+#define CNI_HAS_RESTITUTION 0
+#else
+#define CNI_HAS_RESTITUTION 1
+#endif
+#ifdef CN_NO_CHAINS /* collision/manifold_chain.c; the creation of chains is refused */
+#define CNI_HAS_CHAINS 0
+#else
+#define CNI_HAS_CHAINS 1
+#endif
+#ifdef CN_NO_CIRCLES /* collision/manifold_round.c; the creation of circles is refused. Capsules are polygons of two points */
+#define CNI_HAS_CIRCLES 0
+#else
+#define CNI_HAS_CIRCLES 1
+#endif
+#ifdef CN_NO_MESSAGES /* sentences about errors: cn_world_error_text is empty */
+#define CNI_HAS_MESSAGES 0
+#else
+#define CNI_HAS_MESSAGES 1
+#endif
 #if !CNI_HAS_SWEEP && !CNI_HAS_TREE
 #error "CN_NO_SWEEP and CN_NO_TREE: a world needs one broadphase"
 #endif
@@ -97,8 +122,8 @@
 #define CNI_ALIGNED(bytes)
 #endif
 
-/* Hint that memory is read soon; changes no result. */
-#if defined(__GNUC__)
+/* Hint that memory is read soon; changes no result. Small builds are for processors without a cache. */
+#if defined(__GNUC__) && !defined(CN_SMALL_BLOCKS)
 #define CNI_PREFETCH(address) __builtin_prefetch(address)
 #else
 #define CNI_PREFETCH(address) ((void)(address))

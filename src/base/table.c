@@ -128,12 +128,14 @@ void cni_array_deinit(cni_array *array, cni_memory *memory)
 static int32_t array_grown_capacity(const cni_array *array, int32_t count)
 {
 	uint64_t item_bytes = (uint64_t)array->item_bytes;
-	uint64_t capacity = (uint64_t)array->capacity;
+	uint64_t capacity = (uint64_t)array->capacity, bytes;
 
 	capacity += capacity * item_bytes > ARRAY_LARGE_BYTES ? capacity / 8 : capacity / 2;
 	if (capacity < (uint64_t)count)
 		capacity = (uint64_t)count;
-	capacity = cni_memory_rounded(capacity * item_bytes) / item_bytes;
+	bytes = cni_memory_rounded(capacity * item_bytes);
+	if ((size_t)bytes == bytes) /* so that processors of 32 bits need no division of 64; else there is no such memory */
+		capacity = (size_t)bytes / (size_t)item_bytes;
 	return capacity < INT32_MAX ? (int32_t)capacity : INT32_MAX;
 }
 

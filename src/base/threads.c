@@ -541,19 +541,4 @@ cni_team *cni_team_create(cni_memory *memory, int32_t workers, cn_enqueue_fn *en
 	return NULL;
 }
 
-void cni_team_for(cni_team *team, int32_t item_count, int32_t min_range, cni_range_fn *fn, void *context)
-{
-	(void)team, (void)min_range;
-	if (item_count > 0)
-		fn(context, 0, item_count, 0);
-}
-
-void cni_team_run(cni_team *team, cni_lead_fn *lead, void *context)
-{
-	(void)team;
-	lead(context);
-}
-
-void cni_team_hold(cni_team *team, int32_t on) { (void)team, (void)on; }
-
 #endif

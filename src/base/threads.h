@@ -49,6 +49,7 @@ static inline int32_t cni_team_possible(int32_t workers, cn_enqueue_fn *enqueue)
 /* Bytes of a team, without its threads' stacks, which the system allocates. */
 uint64_t cni_team_bytes(int32_t workers);
 
+#if CNI_HAS_TEAMS
 /* Calls fn for ranges that cover 0 to item_count - 1, each item once, none shorter than min_range unless item_count is.
    Returns when all are done. A loop of less than two such ranges is one call in this thread. Must not be called by fn. */
 void cni_team_for(cni_team *team, int32_t item_count, int32_t min_range, cni_range_fn *fn, void *context);
@@ -60,6 +61,20 @@ void cni_team_run(cni_team *team, cni_lead_fn *lead, void *context);
    loop. For serial work between loops that takes less time than waking a thread. No effect on a team of the user's task
    system. */
 void cni_team_hold(cni_team *team, int32_t on);
+#else /* inlined, so that a loop is a plain call */
+static inline void cni_team_for(cni_team *team, int32_t item_count, int32_t min_range, cni_range_fn *fn, void *context)
+{
+	(void)team, (void)min_range;
+	if (item_count > 0)
+		fn(context, 0, item_count, 0);
+}
+static inline void cni_team_run(cni_team *team, cni_lead_fn *lead, void *context)
+{
+	(void)team;
+	lead(context);
+}
+static inline void cni_team_hold(cni_team *team, int32_t on) { (void)team, (void)on; }
+#endif
 
 /* ---- atomic words: loads acquire, stores release, the others do both ---- */
 

@@ -20,8 +20,9 @@
  * STALE): the item will be removed and inserted again.
  *
  * Invariants: a place's box contains all boxes below it, and is their union where none is STALE. The heights of a node's
- * two sides differ by at most CNI_TREE_LEAN, so that the height for n items is below 2.5 log2(n) + 2 and searches need
- * only small fixed stacks.
+ * two sides differ by at most CNI_TREE_LEAN, so that the height for n items is below 2.5 log2(n) + 2. A search that pushes
+ * both sides of a node has at most one entry more than the height on its stack: CNI_TREE_STACK is enough for 2^30 nodes,
+ * more than places can number.
  *
  * Methods: see tree.c. Only reserve allocates.
  */
@@ -34,7 +35,7 @@
 #define CNI_TREE_ROOT 0          /* place */
 #define CNI_TREE_EMPTY INT32_MIN /* child of a place where nothing hangs */
 #define CNI_TREE_LEAN 4
-#define CNI_TREE_STACK 256
+#define CNI_TREE_STACK 80
 
 enum {
 	CNI_TREE_MOVED = 1u << 0,

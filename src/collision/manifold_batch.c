@@ -5,7 +5,7 @@
 #include "base/cpu.h"
 
 /* Columns that a kernel may work out beyond the last pair. */
-#define WIDTH_MAX 8
+#define WIDTH_MAX (CNI_BATCH_PAIRS < 8 ? CNI_BATCH_PAIRS : 8)
 
 cni_batch_kernel_fn *cni_batch_kernel_choose(void)
 {

@@ -18,8 +18,8 @@
 #include "collision/manifold.h"
 
 /* Pairs in a batch: a multiple of every width. */
-#ifdef CN_SMALL_BLOCKS /* a batch is on the stack */
-#define CNI_BATCH_PAIRS 8
+#ifdef CN_SMALL_BLOCKS /* without vectors one pair at a time: a batch is on the stack */
+#define CNI_BATCH_PAIRS 1
 #else
 #define CNI_BATCH_PAIRS 32
 #endif
@@ -62,7 +62,7 @@ cni_batch_kernel_fn *cni_batch_kernel_choose(void);
 /* 1 when the pair may go into a batch. Only b can be a chain. */
 static inline int32_t cni_batch_take(const cni_manifold_input *in)
 {
-	return in->a->count >= 2 && in->b->count >= 2 && in->b->type != CN_SHAPE_CHAIN;
+	return in->a->count >= 2 && in->b->count >= 2 && !cni_is_chain(in->b->type);
 }
 
 /* Adds such a pair to a batch that is not full; returns its column. */

@@ -5,11 +5,23 @@
 
 #define TYPES 5
 
+/* The linker drops functions of types that the build is without. */
+#if CNI_HAS_CIRCLES
+#define ROUND(function) function
+#else
+#define ROUND(function) NULL
+#endif
+#if CNI_HAS_CHAINS
+#define CHAIN(function) function
+#else
+#define CHAIN(function) NULL
+#endif
+
 static cni_manifold_fn *const functions[TYPES][TYPES] = {
-	/* b:  circle               capsule                     polygon                      edge                      chain */
-	{ cni_collide_circles, cni_collide_circle_segment, cni_collide_circle_polygon, cni_collide_circle_segment, cni_collide_circle_chain },
-	{ NULL, cni_collide_polygons, cni_collide_polygons, cni_collide_polygons, cni_collide_faces_chain },
-	{ NULL, NULL, cni_collide_polygons, cni_collide_polygons, cni_collide_faces_chain },
+	/* b: circle, capsule, polygon, edge, chain */
+	{ ROUND(cni_collide_circles), ROUND(cni_collide_circle_segment), ROUND(cni_collide_circle_polygon), ROUND(cni_collide_circle_segment), ROUND(CHAIN(cni_collide_circle_chain)) },
+	{ NULL, cni_collide_polygons, cni_collide_polygons, cni_collide_polygons, CHAIN(cni_collide_faces_chain) },
+	{ NULL, NULL, cni_collide_polygons, cni_collide_polygons, CHAIN(cni_collide_faces_chain) },
 	{ NULL, NULL, NULL, cni_collide_polygons, NULL },
 	{ NULL, NULL, NULL, NULL, NULL },
 };

@@ -25,7 +25,7 @@ void cni_seams_mend(const cni_manifold_input *in, cni_vec2 motion, float depth, 
 
 static inline uint32_t cni_seams_of(const cni_geometry *g)
 {
-	return g->type == CN_SHAPE_CHAIN ? 0u : g->seams;
+	return cni_is_chain(g->type) ? 0u : g->seams;
 }
 
 #endif

@@ -239,7 +239,7 @@ static float axis_free(const advance *v, cni_vec2 n, float t)
 static int32_t is_behind(const cni_geometry *chain, int32_t child, const cni_path *chain_path, const cni_geometry *shape, const cni_path *path, float t)
 {
 	cni_vec2 edge[2];
-	if (chain->type != CN_SHAPE_CHAIN)
+	if (!cni_is_chain(chain->type))
 		return 0;
 	cni_geometry_proxy(chain, child, edge);
 	cni_rot q_chain = cni_rot_mul(chain_path->q, cni_sincos(chain_path->turn * t));

@@ -565,6 +565,8 @@ CNI_INLINE void closing_prefetch(const cni_listed_block *b)
 	CNI_PREFETCH(k->p[1].jn);
 }
 
+#if CNI_HAS_RESTITUTION
+
 #define CLOSING_AHEAD 2 /* blocks whose memory is asked for */
 
 static void kernel_closing(const cni_velocity_start *starts, const cni_listed_block *blocks, int32_t count, float speed, float since, uint32_t *closing)
@@ -582,7 +584,14 @@ static void kernel_closing(const cni_velocity_start *starts, const cni_listed_bl
 }
 
 #include "contacts/restitution_kernel.h"
+
+#endif
+
 #include "contacts/manifold_reuse_kernel.h"
 #include "model/tuning.h"
 
+#if CNI_HAS_RESTITUTION
 const cni_contact_kernel CNI_KERNEL = { { kernel_warm, kernel_solve, kernel_relax }, kernel_closing, kernel_impact, kernel_reuse };
+#else
+const cni_contact_kernel CNI_KERNEL = { { kernel_warm, kernel_solve, kernel_relax }, NULL, NULL, kernel_reuse };
+#endif

@@ -38,9 +38,9 @@ static void lane_run(cn_world *world, const cni_solve *s, int32_t which, const c
 {
 	cni_listed_block one = *b;
 	cni_color_pass c = color_pass_make(world, s, &one);
-	one.begin = l;
-	one.lanes = l + 1;
-	one.kind = c.motions[b->rows->ib[l]].inv_mass == 0.0f ? CNI_CONTACTS_ONE_SIDED : 0;
+	one.begin = (cni_listed_number)l;
+	one.lanes = (cni_listed_number)(l + 1);
+	one.kind = (cni_listed_number)(c.motions[b->rows->ib[l]].inv_mass == 0.0f ? CNI_CONTACTS_ONE_SIDED : 0);
 	cni_contact_kernel_plain.pass[which](&c, 0, 1);
 }
 
@@ -93,10 +93,10 @@ static cni_listed_block listed_of(const cn_world *world, int32_t block, int32_t 
 	listed.rows = cni_block_at(world, block);
 	listed.extra = info->flags & CNI_BLOCK_EXTRA ? cni_block_extra_at(world, block) : NULL;
 	listed.info = info;
-	listed.fresh = info->fresh_step == world->step_count + 1u ? info->fresh : 0;
+	listed.fresh = info->fresh_step == world->step_count + 1u ? info->fresh : (cni_listed_bits)0;
 	listed.begin = 0;
-	listed.lanes = cni_min_i(lanes, CNI_LANES);
-	listed.kind = (info->flags & CNI_BLOCK_RESTED ? CNI_CONTACTS_RESTED : 0) | (info->color >= CNI_COLOR_STATIC ? CNI_CONTACTS_ONE_SIDED : 0);
+	listed.lanes = (cni_listed_number)cni_min_i(lanes, CNI_LANES);
+	listed.kind = (cni_listed_number)((info->flags & CNI_BLOCK_RESTED ? CNI_CONTACTS_RESTED : 0) | (info->color >= CNI_COLOR_STATIC ? CNI_CONTACTS_ONE_SIDED : 0));
 	return listed;
 }
 

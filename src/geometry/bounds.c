@@ -122,7 +122,7 @@ cni_proxy_points cni_geometry_proxy(const cni_geometry *g, int32_t child, cni_ve
 {
 	const cni_vec2 *p = cni_geometry_points(g);
 	cni_proxy_points set = { p, g->count, g->radius };
-	if (g->type != CN_SHAPE_CHAIN)
+	if (!cni_is_chain(g->type))
 		return set;
 	edge_storage[0] = p[child];
 	edge_storage[1] = p[child + 1 < g->count ? child + 1 : 0];

@@ -29,6 +29,8 @@ typedef struct cni_geometry {
 	/* cni_vec2 points[count]; cni_vec2 normals[count] */
 } cni_geometry;
 
+/* A constant in builds without chains. */
+static inline int32_t cni_is_chain(int32_t type) { return CNI_HAS_CHAINS && type == CN_SHAPE_CHAIN; }
 static inline const cni_vec2 *cni_geometry_points(const cni_geometry *g) { return (const cni_vec2 *)(const void *)(g + 1); }
 static inline const cni_vec2 *cni_geometry_normals(const cni_geometry *g) { return cni_geometry_points(g) + g->count; }
 

@@ -6,14 +6,14 @@
 
 int32_t cni_geometry_bytes(int32_t type, int32_t count)
 {
-	int32_t has_normals = type != CN_SHAPE_CIRCLE && type != CN_SHAPE_CHAIN;
+	int32_t has_normals = type != CN_SHAPE_CIRCLE && !cni_is_chain(type);
 	int32_t vectors = has_normals ? 2 * count : count;
 	return (int32_t)sizeof(cni_geometry) + vectors * (int32_t)sizeof(cni_vec2);
 }
 
 int32_t cni_geometry_children(const cni_geometry *g)
 {
-	if (g->type != CN_SHAPE_CHAIN)
+	if (!cni_is_chain(g->type))
 		return 1;
 	return g->seams ? g->count : g->count - 1;
 }

@@ -39,7 +39,7 @@ static float shape_turn_reach(const cni_body *b, const cni_geometry *g)
 	cni_proxy_points set;
 	float most_sq = 0.0f;
 	int32_t k;
-	if (g->type == CN_SHAPE_CHAIN)
+	if (cni_is_chain(g->type))
 		return g->extent + cni_length(b->local_center);
 	set = cni_geometry_proxy(g, 0, storage);
 	for (k = 0; k < set.count; ++k)

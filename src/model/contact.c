@@ -119,8 +119,10 @@ int32_t cni_contact_allowed(const cn_world *world, int32_t proxy_a, int32_t prox
 int32_t cni_contact_reserve_reports(cn_world *world, int32_t count)
 {
 	static const int32_t kinds[] = { CN_EVENT_LEAVE, CN_EVENT_DESTROYED };
-	int32_t k, good = cni_array_reserve(&world->events.sensor_log, &world->memory, count) &&
-	                  cni_array_reserve(&world->events.sensor_pending, &world->memory, count);
+	int32_t k, good;
+	if (!CNI_HAS_EVENTS)
+		return 1;
+	good = cni_array_reserve(&world->events.sensor_log, &world->memory, count) && cni_array_reserve(&world->events.sensor_pending, &world->memory, count);
 	for (k = 0; k < 2 && good; ++k)
 		good = cni_array_reserve(&world->events.log[kinds[k]], &world->memory, count) &&
 		       cni_array_reserve(&world->events.pending[kinds[k]], &world->memory, count);
@@ -234,6 +236,8 @@ cn_result cni_contact_reserve_end(cn_world *world, int32_t contacts)
 	cni_array *leave = &world->events.pending[CN_EVENT_LEAVE], *destroyed = &world->events.pending[CN_EVENT_DESTROYED];
 	cni_array *sensed = &world->events.sensor_pending;
 	int32_t good;
+	if (!CNI_HAS_EVENTS)
+		return CN_OK;
 	contacts = cni_min_i(contacts, world->contacts_reporting); /* callers count contacts between two of their bodies twice */
 	good = cni_array_reserve(sensed, &world->memory, sensed->count + contacts) && cni_array_reserve(leave, &world->memory, leave->count + contacts) &&
 	       cni_array_reserve(destroyed, &world->memory, destroyed->count + contacts);

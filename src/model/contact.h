@@ -5,7 +5,7 @@
  *
  *   apart     slot = index in the apart list     record only; CNI_NONE while neither body is awake
  *   touching  slot = block * 16 + lane           a lane of a block of its colour, kept across steps
- *   asleep    slot = index in the sleep store    both bodies asleep (or one asleep, one static)
+ *   asleep    slot = index in the sleep store    both bodies asleep (or one asleep, one static); CNI_SLEEP_IN_BLOCKS: as touching
  *
  * Blocks are 16 lanes of 24 rows. The narrowphase writes lanes in place and the solver reads them directly: there is no prepare
  * and no store stage. Within a colour no dynamic body appears twice. A freed lane is filled by the colour's last lane, so that
@@ -47,6 +47,11 @@
 #define CNI_COLOR_STATIC 23
 #define CNI_COLOR_OVERFLOW 31
 #define CNI_COLORS 32
+/* Blocks of one lane have room for every touching contact: those that sleep keep theirs, in a list of its own. Else a block has lanes
+   of several contacts, and rows of those that sleep move to an array. */
+#define CNI_SLEEP_IN_BLOCKS (CNI_LANES == 1)
+#define CNI_COLOR_ASLEEP 32
+#define CNI_COLOR_LISTS (CNI_COLORS + 2 * CNI_SLEEP_IN_BLOCKS) /* even, so that the world has no padding */
 
 typedef struct cni_contact_row {
 	float at[CNI_LANES], an[CNI_LANES], s0[CNI_LANES], nm[CNI_LANES], jn[CNI_LANES], load[CNI_LANES];
@@ -132,14 +137,23 @@ typedef struct cni_color {
 	int32_t listed_count;  /* its blocks in the list */
 } cni_color;
 
+/* Numbers of a listed block; words are an instruction less where they are read. */
+#ifdef CN_SMALL_BLOCKS
+typedef uint16_t cni_listed_number;
+typedef uint16_t cni_listed_bits;
+#else
+typedef int32_t cni_listed_number;
+typedef uint32_t cni_listed_bits;
+#endif
+
 /* A block in the list of a step's passes: colours in order, a colour's blocks in order. */
 typedef struct cni_listed_block {
 	cni_contact_block *rows;
 	cni_block_extra *extra;  /* NULL: no lane needs it */
 	cni_block_info *info;
-	uint32_t fresh;          /* lanes that began to touch in this step, as bits */
-	int32_t begin, lanes;    /* the passes solve lanes begin .. lanes - 1; as listed, all lanes in use */
-	int32_t kind;            /* CNI_CONTACTS_ of model/solve.h */
+	cni_listed_bits fresh;   /* lanes that began to touch in this step, as bits */
+	cni_listed_number begin, lanes; /* the passes solve lanes begin .. lanes - 1; as listed, all lanes in use */
+	cni_listed_number kind;  /* CNI_CONTACTS_ of model/solve.h */
 } cni_listed_block;
 
 
@@ -152,21 +166,22 @@ typedef struct cni_sleep_lane {
 	int32_t contact;
 } cni_sleep_lane;
 
+/* Without events the bits of their contacts are 0, so that the compiler drops what they lead to. */
 enum {
 	CNI_CONTACT_TOUCHING = 1u << 0,
 	CNI_CONTACT_FLIPPED = 1u << 1,
 	CNI_CONTACT_ASLEEP = 1u << 2,       /* slot is in the sleep store */
 	CNI_CONTACT_LINKED = 1u << 3,       /* links two dynamic bodies' islands */
-	CNI_CONTACT_ENTER_OWED = 1u << 4,   /* its event is deferred: no memory yet */
-	CNI_CONTACT_CREATED_OWED = 1u << 5,
+	CNI_CONTACT_ENTER_OWED = CNI_HAS_EVENTS << 4,   /* its event is deferred: no memory yet */
+	CNI_CONTACT_CREATED_OWED = CNI_HAS_EVENTS << 5,
 	CNI_CONTACT_ENTERED = 1u << 6,      /* began to touch (or to report it) in the last step, or woke since: no STAY */
 	CNI_CONTACT_REFRESH = 1u << 7,      /* material changed: must be rewritten in the lane */
-	CNI_CONTACT_SENSOR = 1u << 8,       /* one shape is a sensor: overlap is reported, nothing is solved */
-	CNI_CONTACT_SENSING = 1u << 9,      /* ... and they overlap */
+	CNI_CONTACT_SENSOR = CNI_HAS_EVENTS << 8,       /* one shape is a sensor: overlap is reported, nothing is solved */
+	CNI_CONTACT_SENSING = CNI_HAS_EVENTS << 9,      /* ... and they overlap */
 	CNI_CONTACT_ONE_WAY = 1u << 10,     /* one shape is a one-way platform */
 	CNI_CONTACT_PASSING = 1u << 11,     /* ... that the other shape is passing through */
-	CNI_CONTACT_PRE_SOLVE = 1u << 12,   /* the user's callback sees it before solving */
-	CNI_CONTACT_MUTE = 1u << 13,        /* a sensor that reports nothing: a fixed block has no room for it */
+	CNI_CONTACT_PRE_SOLVE = CNI_HAS_EVENTS << 12,   /* the user's callback sees it before solving */
+	CNI_CONTACT_MUTE = CNI_HAS_EVENTS << 13,        /* a sensor that reports nothing: a fixed block has no room for it */
 	CNI_CONTACT_STATIC = 1u << 14,      /* one body is static */
 	CNI_CONTACT_EVENTS_SHIFT = 16       /* bits 16..21: the CN_EVENT_ kinds that it reports */
 };
@@ -188,7 +203,7 @@ int32_t cni_contact_reserve_reports(cn_world *world, int32_t count);
 /* Does a contact with these flags report events? */
 static inline int32_t cni_contact_reports(uint32_t flags)
 {
-	return (flags & (CNI_CONTACT_SENSOR | CNI_CONTACT_MUTE)) == CNI_CONTACT_SENSOR || flags >> CNI_CONTACT_EVENTS_SHIFT != 0;
+	return CNI_HAS_EVENTS && ((flags & (CNI_CONTACT_SENSOR | CNI_CONTACT_MUTE)) == CNI_CONTACT_SENSOR || flags >> CNI_CONTACT_EVENTS_SHIFT != 0);
 }
 /* Record of an existing contact between two proxies, or CNI_NONE. O(contacts of the body with fewer). */
 int32_t cni_contact_find(const cn_world *world, int32_t proxy_a, int32_t proxy_b);

@@ -292,7 +292,7 @@ typedef struct lane_rows {
 static lane_rows lane_rows_of(const cn_world *world, const cni_contact *c)
 {
 	lane_rows rows = { NULL, 1 };
-	if (c->flags & CNI_CONTACT_ASLEEP) {
+	if (!CNI_SLEEP_IN_BLOCKS && (c->flags & CNI_CONTACT_ASLEEP)) {
 		rows.first = ((const cni_sleep_lane *)world->sleep_lanes.data)[c->slot].rows;
 		return rows;
 	}
@@ -359,7 +359,8 @@ void cni_contact_describe(const cn_world *world, int32_t contact, int32_t kind, 
 		describe_manifold(world, c, &out->manifold);
 }
 
-void cni_contact_sleep_lane_free(cn_world *world, cni_contact *c)
+/* Fills its place in the array with the last one. */
+static void stored_free(cn_world *world, const cni_contact *c)
 {
 	cni_sleep_lane *lanes = (cni_sleep_lane *)world->sleep_lanes.data;
 	int32_t last = --world->sleep_lanes.count;
@@ -367,6 +368,14 @@ void cni_contact_sleep_lane_free(cn_world *world, cni_contact *c)
 		lanes[c->slot] = lanes[last];
 		cni_contact_at(world, lanes[last].contact)->slot = c->slot;
 	}
+}
+
+void cni_contact_sleep_lane_free(cn_world *world, cni_contact *c)
+{
+	if (CNI_SLEEP_IN_BLOCKS)
+		cni_lane_free(world, cni_block_info_at(world, c->slot)->contact[0]);
+	else
+		stored_free(world, c);
 	c->flags &= ~(uint32_t)CNI_CONTACT_ASLEEP;
 	c->slot = CNI_NONE;
 }
@@ -395,45 +404,64 @@ static void sleep_to_extra(const cn_world *world, const cni_contact *c, const cn
 		cni_block_info_at(world, c->slot / CNI_LANES)->flags |= CNI_BLOCK_EXTRA;
 }
 
+/* Copies of a lane's rows and of what is beside them. */
+static void lane_read(const cn_world *world, int32_t contact, cni_sleep_lane *s)
+{
+	const cni_contact *c = cni_contact_at(world, contact);
+	int32_t block = c->slot / CNI_LANES, l = c->slot % CNI_LANES, row;
+	const float *rows = (const float *)(const void *)cni_block_at(world, block) + l;
+	for (row = 0; row < CNI_SLEEP_ROWS; ++row)
+		s->rows[row] = rows[(row + 2) * CNI_LANES];
+	s->restitution = cni_block_info_at(world, block)->restitution[l];
+	extra_to_sleep(world, c, s);
+	s->contact = contact;
+}
+
+static void lane_write(const cn_world *world, const cni_contact *c, const cni_sleep_lane *s)
+{
+	int32_t block = c->slot / CNI_LANES, l = c->slot % CNI_LANES, row;
+	float *rows = (float *)(void *)cni_block_at(world, block) + l;
+	for (row = 0; row < CNI_SLEEP_ROWS; ++row)
+		rows[(row + 2) * CNI_LANES] = s->rows[row];
+	cni_block_info_at(world, block)->restitution[l] = s->restitution;
+	sleep_to_extra(world, c, s);
+}
+
 void cni_contact_lane_to_sleep(cn_world *world, int32_t contact)
 {
 	cni_contact *c = cni_contact_at(world, contact);
-	const float *rows = (const float *)(const void *)cni_block_at(world, c->slot / CNI_LANES) + c->slot % CNI_LANES;
-	cni_sleep_lane *s = (cni_sleep_lane *)world->sleep_lanes.data + world->sleep_lanes.count;
 	cni_contact_block *block = cni_block_at(world, c->slot / CNI_LANES);
+	cni_sleep_lane own, *s = CNI_SLEEP_IN_BLOCKS ? &own : (cni_sleep_lane *)world->sleep_lanes.data + world->sleep_lanes.count;
 	float gap = cni_contact_gap(world, c);
-	int32_t row, k;
-	CNI_ASSERT(world->sleep_lanes.count < world->sleep_lanes.capacity);
+	int32_t k;
+	CNI_ASSERT(CNI_SLEEP_IN_BLOCKS || world->sleep_lanes.count < world->sleep_lanes.capacity);
 	for (k = 0; k < 2; ++k)
 		block->p[k].s0[c->slot % CNI_LANES] -= gap;
-	for (row = 0; row < CNI_SLEEP_ROWS; ++row)
-		s->rows[row] = rows[(row + 2) * CNI_LANES];
-	s->restitution = cni_block_info_at(world, c->slot / CNI_LANES)->restitution[c->slot % CNI_LANES];
-	extra_to_sleep(world, c, s);
-	s->contact = contact;
+	lane_read(world, contact, s);
 	cni_lane_free(world, contact);
-	c->slot = world->sleep_lanes.count++;
 	c->flags |= CNI_CONTACT_ASLEEP;
+	if (!CNI_SLEEP_IN_BLOCKS) {
+		c->slot = world->sleep_lanes.count++;
+		return;
+	}
+	cni_lane_take_asleep(world, contact);
+	lane_write(world, c, s);
 }
 
 void cni_contact_sleep_to_lane(cn_world *world, int32_t contact)
 {
 	cni_contact *c = cni_contact_at(world, contact);
-	cni_sleep_lane s = ((cni_sleep_lane *)world->sleep_lanes.data)[c->slot];
-	cni_block_info *info;
-	float *rows;
-	int32_t row;
+	cni_sleep_lane s;
+	if (CNI_SLEEP_IN_BLOCKS)
+		lane_read(world, contact, &s);
+	else
+		s = ((const cni_sleep_lane *)world->sleep_lanes.data)[c->slot];
 	cni_contact_sleep_lane_free(world, c);
 	cni_lane_take(world, contact);
-	rows = (float *)(void *)cni_block_at(world, c->slot / CNI_LANES) + c->slot % CNI_LANES;
-	for (row = 0; row < CNI_SLEEP_ROWS; ++row)
-		rows[(row + 2) * CNI_LANES] = s.rows[row];
-	info = cni_block_info_at(world, c->slot / CNI_LANES);
-	info->restitution[c->slot % CNI_LANES] = s.restitution;
+	lane_write(world, c, &s);
 	if (!world->events.in_step)
 		c->flags |= CNI_CONTACT_ENTERED; /* no STAY for the last step: it slept */
-	sleep_to_extra(world, c, &s);
 	cni_contact_mark_sums(world, c);
 	if (s.restitution > 0.0f)
-		info->flags |= CNI_BLOCK_RESTITUTION;
+		cni_block_info_at(world, c->slot / CNI_LANES)->flags |= CNI_BLOCK_RESTITUTION;
 }

@@ -83,7 +83,7 @@ float cni_contact_approach(const cn_world *world, const cni_contact *c)
 void cni_contact_mark_sums(cn_world *world, const cni_contact *c)
 {
 	const uint32_t kinds = (1u << CN_EVENT_STAY | 1u << CN_EVENT_HIT) << CNI_CONTACT_EVENTS_SHIFT;
-	if ((c->flags & kinds) && (c->flags & (CNI_CONTACT_TOUCHING | CNI_CONTACT_ASLEEP)) == CNI_CONTACT_TOUCHING)
+	if (CNI_HAS_EVENTS && (c->flags & kinds) && (c->flags & (CNI_CONTACT_TOUCHING | CNI_CONTACT_ASLEEP)) == CNI_CONTACT_TOUCHING)
 		cni_block_info_at(world, c->slot / CNI_LANES)->flags |= CNI_BLOCK_SUMS;
 }
 

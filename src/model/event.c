@@ -141,7 +141,7 @@ int32_t cni_event_log(cn_world *world, int32_t contact, int32_t kind)
 {
 	const cni_contact *c = cni_contact_at(world, contact);
 	cni_event *e;
-	if (!contact_reports(c, kind))
+	if (!CNI_HAS_EVENTS || !contact_reports(c, kind))
 		return 1;
 	e = (cni_event *)log_add(world, world->events.in_step ? &world->events.log[kind] : &world->events.pending[kind]);
 	if (e == NULL)

@@ -246,7 +246,7 @@ int32_t cni_body_reserve_sleep(cn_world *world, int32_t body)
 	int32_t island = cni_body_at(world, body)->island, count = island == CNI_NONE ? 1 : cni_island_at(world, island)->count;
 	cni_array *log = &world->events.asleep;
 	return cni_array_reserve(log, &world->memory, log->count + count) &&
-	       cni_array_reserve(&world->sleep_lanes, &world->memory, world->sleep_lanes.count + lanes_of_island(world, first_of(world, body)));
+	       (CNI_SLEEP_IN_BLOCKS || cni_array_reserve(&world->sleep_lanes, &world->memory, world->sleep_lanes.count + lanes_of_island(world, first_of(world, body))));
 }
 
 int32_t cni_body_put_to_sleep(cn_world *world, int32_t body)

@@ -95,8 +95,8 @@ static int32_t color_choose(const cni_body *a, const cni_body *b)
 
 static void color_mark(cni_body *a, cni_body *b, int32_t color, int32_t on)
 {
-	uint32_t bit = 1u << color;
-	if (color == CNI_COLOR_OVERFLOW)
+	uint32_t bit = 1u << color % 32;
+	if (color >= CNI_COLOR_OVERFLOW)
 		return;
 	CNI_ASSERT(((a->colors & bit) != 0) == !on);
 	(void)on;
@@ -141,12 +141,22 @@ void cni_lane_set_bodies(cn_world *world, const cni_contact *c)
 	block->ib[lane] = ib;
 }
 
+/* The lane after the colour's last one. */
+static void slot_take(cn_world *world, int32_t contact, int32_t color)
+{
+	cni_color *group = &world->colors[color];
+	int32_t lane = group->lanes % CNI_LANES, block = lane == 0 ? block_take(world, color) : group->last, slot = block * CNI_LANES + lane;
+	++group->lanes;
+	cni_contact_at(world, contact)->slot = slot;
+	cni_block_info_at(world, block)->contact[lane] = contact;
+	anchor_clear(world, slot);
+}
+
 void cni_lane_take(cn_world *world, int32_t contact)
 {
 	cni_contact *c = cni_contact_at(world, contact);
 	cni_body *a, *b;
-	cni_color *group;
-	int32_t color, lane, block;
+	int32_t color;
 	if (cni_body_at(world, c->body[0])->type == CN_BODY_DYNAMIC)
 		c->flags &= ~(uint32_t)CNI_CONTACT_FLIPPED;
 	else
@@ -158,14 +168,14 @@ void cni_lane_take(cn_world *world, int32_t contact)
 	color_mark(a, b, color, 1);
 	++a->lanes;
 	++b->lanes;
-	group = &world->colors[color];
-	lane = group->lanes % CNI_LANES;
-	block = lane == 0 ? block_take(world, color) : group->last;
-	++group->lanes;
-	c->slot = block * CNI_LANES + lane;
-	cni_block_info_at(world, block)->contact[lane] = contact;
-	anchor_clear(world, c->slot);
+	slot_take(world, contact, color);
 	cni_lane_set_bodies(world, c);
+}
+
+void cni_lane_take_asleep(cn_world *world, int32_t contact)
+{
+	slot_take(world, contact, CNI_SLEEP_IN_BLOCKS ? CNI_COLOR_ASLEEP : CNI_COLOR_OVERFLOW);
+	CNI_ASSERT(CNI_SLEEP_IN_BLOCKS);
 }
 
 static void extra_move(cn_world *world, int32_t from, int32_t to)
@@ -255,8 +265,10 @@ void cni_lane_free(cn_world *world, int32_t contact)
 	cni_color *group = &world->colors[color];
 	int32_t last = group->last * CNI_LANES + (group->lanes - 1) % CNI_LANES;
 	color_mark(lane_body(world, c, 0), lane_body(world, c, 1), color, 0);
-	--lane_body(world, c, 0)->lanes;
-	--lane_body(world, c, 1)->lanes;
+	if (color != CNI_COLOR_ASLEEP) {
+		--lane_body(world, c, 0)->lanes;
+		--lane_body(world, c, 1)->lanes;
+	}
 	lane_move(world, last, c->slot);
 	c->slot = CNI_NONE;
 	if (--group->lanes % CNI_LANES == 0)

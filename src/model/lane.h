@@ -14,6 +14,8 @@
 /* Chooses a colour for the contact, marks its bodies and takes a lane; the rows are zero except for the body indices. Memory must be
    reserved. */
 void cni_lane_take(cn_world *world, int32_t contact);
+/* Takes a lane for a contact that sleeps, with CNI_SLEEP_IN_BLOCKS; all rows are zero. */
+void cni_lane_take_asleep(cn_world *world, int32_t contact);
 /* Frees the contact's lane and fills it with the colour's last one. */
 void cni_lane_free(cn_world *world, int32_t contact);
 /* Marks that the slot's contact began to touch in this step. */

@@ -19,7 +19,7 @@ uint64_t cni_shape_ids_bytes(const cn_world *world, int32_t children)
 
 static int32_t shape_is_placed(const cni_shape *s)
 {
-	return s->type == CN_SHAPE_CHAIN ? s->box.proxies != 0 : s->box.proxy != CNI_NONE;
+	return cni_is_chain(s->type) ? s->box.proxies != 0 : s->box.proxy != CNI_NONE;
 }
 
 static int32_t proxy_take(cn_world *world)
@@ -84,7 +84,7 @@ cn_result cni_shape_place(cn_world *world, int32_t shape)
 	if (cni_proxy_reserve(world, cni_shape_children(&world->blocks, s)) != CN_OK)
 		return CN_ERROR_MEMORY;
 	cni_body_forget_room(cni_body_at(world, s->body));
-	if (s->type != CN_SHAPE_CHAIN) {
+	if (!cni_is_chain(s->type)) {
 		s->box.proxy = proxy_create(world, shape, 0);
 		if (cni_body_at(world, s->body)->awake != 0)
 			cni_body_kick(world, s->body);
@@ -111,7 +111,7 @@ void cni_shape_unplace(cn_world *world, int32_t shape)
 		world->broadphase_ops->remove(world->broadphase, proxy);
 		proxy_release(world, proxy);
 	}
-	if (s->type == CN_SHAPE_CHAIN) {
+	if (cni_is_chain(s->type)) {
 		cni_blocks_free(&world->blocks, s->box.proxies, cni_shape_ids_bytes(world, cni_shape_children(&world->blocks, s)));
 		s->box.proxies = 0;
 	} else {

@@ -51,7 +51,7 @@ static inline const cni_geometry *cni_shape_geometry(const cni_blocks *blocks, c
 /* Number of its boxes: the edges of a chain, else 1. */
 static inline int32_t cni_shape_children(const cni_blocks *blocks, const cni_shape *s)
 {
-	return s->type != CN_SHAPE_CHAIN ? 1 : cni_geometry_children(cni_shape_geometry(blocks, s));
+	return !cni_is_chain(s->type) ? 1 : cni_geometry_children(cni_shape_geometry(blocks, s));
 }
 static inline const cni_geometry *cni_proxy_geometry(const cni_blocks *blocks, const cni_proxy *p)
 {
@@ -72,7 +72,7 @@ int32_t cni_shape_edge_proxy(const cn_world *world, const cni_shape *s, int32_t 
 /* ... of any shape's child. */
 static inline int32_t cni_shape_proxy(const cn_world *world, const cni_shape *s, int32_t child)
 {
-	return s->type != CN_SHAPE_CHAIN ? s->box.proxy : cni_shape_edge_proxy(world, s, child);
+	return !cni_is_chain(s->type) ? s->box.proxy : cni_shape_edge_proxy(world, s, child);
 }
 
 /* Reserves memory for extra more proxies. */

@@ -21,7 +21,7 @@
 #include "broadphase/broadphase.h"
 #include "model/tuning.h"
 
-#define CNI_ERROR_TEXT_BYTES 192
+#define CNI_ERROR_TEXT_BYTES (CNI_HAS_MESSAGES ? 192 : 8)
 #define CNI_ESTIMATED_MOST 32
 
 /* Items in a page of each table, as powers of two: small first pages keep an empty world small. */
@@ -137,9 +137,9 @@ struct cn_world {
 	cni_table blocks_extra;      /* cni_block_extra, reserved only once some contact needs one */
 	int32_t block_used;
 	int32_t block_free;
-	cni_color colors[CNI_COLORS];
+	cni_color colors[CNI_COLOR_LISTS];
 	cni_array block_list;        /* cni_listed_block: scratch of a step, capacity for every block */
-	cni_array sleep_lanes;       /* cni_sleep_lane */
+	cni_array sleep_lanes;       /* cni_sleep_lane; empty with CNI_SLEEP_IN_BLOCKS */
 	cni_block_sums *sums;        /* within a step: scratch of the arena, see contacts/impulse_sums.c. NULL: no contact needs them */
 	int32_t sums_count;
 	int32_t sums_active;         /* 1: some contact reports impulses in this step */

@@ -118,7 +118,7 @@ static void bodies_make(cni_cull_list *list)
 {
 	cn_world *world = list->world;
 	int32_t count = world->body_handles.slots.count;
-	if (list->apart < count / 2)
+	if (!CNI_CULL_LOOKS_AHEAD || list->apart < count / 2)
 		return;
 	list->bodies = (cni_cull_body *)cni_arena_push(&world->arena, sizeof(cni_cull_body) * (uint64_t)count);
 	if (list->bodies != NULL)
@@ -133,7 +133,7 @@ CNI_INLINE void body_prefetch(const cni_body *b)
 	CNI_PREFETCH(&b->vx);
 }
 
-typedef char cni_cull_finds_far_enough[RECORDS_AHEAD + 4 <= CNI_CULL_RECORDS && MEMBERS_AHEAD + 4 <= CNI_CULL_MEMBERS ? 1 : -1];
+typedef char cni_cull_finds_far_enough[!CNI_CULL_LOOKS_AHEAD || (RECORDS_AHEAD + 4 <= CNI_CULL_RECORDS && MEMBERS_AHEAD + 4 <= CNI_CULL_MEMBERS) ? 1 : -1];
 
 /* Memory that cni_touch_begin reads. */
 CNI_INLINE void pair_prefetch(const cni_touch_pair *p)
@@ -242,9 +242,9 @@ static uint32_t one_cull(const cni_cull *s, int32_t k)
 	const cni_proxy *const *proxy = s->batch_proxy[k];
 	const cni_cull_body *a, *b;
 	cni_cull_body made_a, made_b;
-	if (s->of.bodies != NULL) {
-		a = &s->of.bodies[c->body[0]];
-		b = &s->of.bodies[c->body[1]];
+	if (cni_cull_bodies(&s->of) != NULL) {
+		a = &cni_cull_bodies(&s->of)[c->body[0]];
+		b = &cni_cull_bodies(&s->of)[c->body[1]];
 	} else {
 		made_a = cull_body_make(cni_body_at(s->of.world, c->body[0]), s->of.dt);
 		made_b = cull_body_make(cni_body_at(s->of.world, c->body[1]), s->of.dt);
@@ -308,8 +308,8 @@ static uint32_t four_cull(const cni_cull *s, cni_contact *const *c, const cni_pr
 	int32_t l;
 	r.flags = 0;
 	for (l = 0; l < 4; ++l) {
-		a[l] = &s->of.bodies[c[l]->body[0]];
-		b[l] = &s->of.bodies[c[l]->body[1]];
+		a[l] = &cni_cull_bodies(&s->of)[c[l]->body[0]];
+		b[l] = &cni_cull_bodies(&s->of)[c[l]->body[1]];
 		rows_take(&r, l, a[l], b[l], proxy[l], c[l]);
 	}
 	radius_a = (cni_wide){ a[0]->radius, a[1]->radius, a[2]->radius, a[3]->radius };
@@ -340,7 +340,7 @@ static uint32_t four_cull(const cni_cull *s, cni_contact *const *c, const cni_pr
 CNI_INLINE void batch_find(cni_cull *s, int32_t at, int32_t k)
 {
 	const cn_world *world = s->of.world;
-	if (s->of.prefetches) {
+	if (cni_cull_prefetches(&s->of)) {
 		s->batch_record[k] = s->record[(uint32_t)at % CNI_CULL_RECORDS];
 		s->batch_proxy[k][0] = s->proxy[(uint32_t)at % CNI_CULL_MEMBERS][0];
 		s->batch_proxy[k][1] = s->proxy[(uint32_t)at % CNI_CULL_MEMBERS][1];
@@ -357,15 +357,15 @@ static uint32_t apart_of_batch(cni_cull *s, int32_t from, int32_t size)
 {
 	uint32_t apart = 0;
 	int32_t k = 0, l;
-	for (; s->of.bodies != NULL && k + 4 <= size; k += 4) {
-		if (s->of.prefetches)
+	for (; cni_cull_bodies(&s->of) != NULL && k + 4 <= size; k += 4) {
+		if (cni_cull_prefetches(&s->of))
 			prefetch_ahead(s, from + k, 4);
 		for (l = k; l < k + 4; ++l)
 			batch_find(s, from + l, l);
 		apart |= four_cull(s, &s->batch_record[k], (const cni_proxy *const (*)[2])&s->batch_proxy[k]) << k;
 	}
 	for (; k < size; ++k) {
-		if (s->of.prefetches)
+		if (cni_cull_prefetches(&s->of))
 			prefetch_ahead(s, from + k, 1);
 		batch_find(s, from + k, k);
 		apart |= one_cull(s, k) << k;
@@ -386,7 +386,7 @@ static int32_t take_left(cni_cull *s, cni_touch_pair *out, int32_t most)
 {
 	const cn_world *world = s->of.world;
 	const int32_t *contacts = s->of.contacts + s->batch;
-	int32_t count = 0, prefetches = s->of.prefetches;
+	int32_t count = 0, prefetches = cni_cull_prefetches(&s->of);
 	uint32_t left = s->left;
 	for (; left != 0 && count < most; left &= left - 1) {
 		int32_t l = cni_bit_lowest32(left);
@@ -409,7 +409,7 @@ static int32_t take_left(cni_cull *s, cni_touch_pair *out, int32_t most)
 static int32_t take_touching(cni_cull *s, cni_touch_pair *out, int32_t most)
 {
 	const cn_world *world = s->of.world;
-	int32_t k, at = s->at, count = cni_min_i(most, s->end - at), prefetches = s->of.prefetches;
+	int32_t k, at = s->at, count = cni_min_i(most, s->end - at), prefetches = cni_cull_prefetches(&s->of);
 	const int32_t *contacts = s->of.contacts + at;
 	for (k = 0; k < count; ++k) {
 		if (prefetches) {
@@ -453,7 +453,7 @@ void cni_cull_begin(cni_cull *s, const cni_cull_list *list, int32_t begin, int32
 	s->at = s->batch = begin;
 	s->end = end;
 	s->left = 0;
-	if (!list->prefetches)
+	if (!cni_cull_prefetches(list))
 		return;
 	for (k = 0; k < RECORDS_AHEAD; ++k)
 		ask_for_record(s, begin + k, 0);

@@ -27,9 +27,19 @@ typedef struct cni_cull_list {
 	int32_t prefetches;
 } cni_cull_list;
 
+/* Small builds cull one contact after the other, from the records. */
+#ifdef CN_SMALL_BLOCKS
+#define CNI_CULL_LOOKS_AHEAD 0
+#else
+#define CNI_CULL_LOOKS_AHEAD 1
+#endif
+
 /* Records, proxies and pairs found ahead for prefetching, by position in the list modulo these. */
-#define CNI_CULL_RECORDS 32
-#define CNI_CULL_MEMBERS 16
+#define CNI_CULL_RECORDS (CNI_CULL_LOOKS_AHEAD ? 32 : 1)
+#define CNI_CULL_MEMBERS (CNI_CULL_LOOKS_AHEAD ? 16 : 1)
+
+static inline cni_cull_body *cni_cull_bodies(const cni_cull_list *list) { return CNI_CULL_LOOKS_AHEAD ? list->bodies : NULL; }
+static inline int32_t cni_cull_prefetches(const cni_cull_list *list) { return CNI_CULL_LOOKS_AHEAD && list->prefetches; }
 
 typedef struct cni_cull {
 	cni_cull_list of;

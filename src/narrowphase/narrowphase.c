@@ -17,6 +17,7 @@
  * bodies near static ones.
  */
 #include "narrowphase/narrowphase.h"
+#include "base/cpu.h"
 #include "collision/manifold_batch.h"
 #include "narrowphase/begun.h"
 #include "narrowphase/cull.h"
@@ -172,12 +173,15 @@ enum {
 static void window_init(window *w, cn_world *world, int32_t serial)
 {
 	int32_t extra_rows = cni_table_capacity(&world->blocks_extra) >= cni_table_capacity(&world->blocks_hot);
-	w->kernel = CNI_ON(MANIFOLD_BATCHES) ? cni_batch_kernel_choose() : NULL;
+	w->kernel = CNI_HAS_WIDE_4 && CNI_ON(MANIFOLD_BATCHES) ? cni_batch_kernel_choose() : NULL;
 	w->count = w->prefetches = 0;
 	w->store = NULL;
 	w->deferred_flags = serial ? 0 : CNI_CONTACT_REFRESH | CNI_CONTACT_PRE_SOLVE;
 	w->deferred_locks = serial || extra_rows ? 0 : CN_BODY_LOCK_X | CN_BODY_LOCK_Y;
 }
+
+/* A constant in builds without vectors. */
+static int32_t has_kernel(const window *w) { return CNI_HAS_WIDE_4 && w->kernel != NULL; }
 
 static int32_t is_deferred(const window *w, const cni_touch_pair *p)
 {
@@ -234,7 +238,7 @@ static void window_begin(const cn_world *world, window *w, int32_t count, float 
 		if (!cni_touch_begin(world, &w->pair[k], motion_time(c, dt), t))
 			continue;
 		w->column[k] = COLUMN_NONE;
-		if (w->kernel != NULL && cni_batch_take(&t->in))
+		if (has_kernel(w) && cni_batch_take(&t->in))
 			w->column[k] = cni_batch_add(&w->batch, &t->in, &c->cache);
 	}
 }
@@ -247,7 +251,7 @@ static int32_t window_finish(cn_world *world, window *w, int32_t k, float dt)
 		return CHANGE_DEFERRED;
 	if (w->column[k] == COLUMN_NONE)
 		cni_touch_collide(t);
-	else if (w->column[k] >= 0)
+	else if (has_kernel(w) && w->column[k] >= 0)
 		cni_batch_read(&w->batch, w->column[k], &t->in, &t->contact->cache, &t->manifold);
 	cni_touch_finish(world, motion_time(t->contact, dt), t);
 	change = contact_update(world, w->pair[k].index, t);
@@ -261,7 +265,8 @@ static void window_collide(cn_world *world, window *w, int32_t count, float dt)
 {
 	int32_t k;
 	window_begin(world, w, count, dt);
-	cni_batch_run(&w->batch, w->kernel);
+	if (has_kernel(w))
+		cni_batch_run(&w->batch, w->kernel);
 	for (k = 0; k < count; ++k)
 		w->change[k] = window_finish(world, w, k, dt);
 }

@@ -54,7 +54,7 @@ static float changed_find_seams(void *context, int32_t proxy, float limit)
 	s.world = world;
 	s.proxy = proxy;
 	s.geometry = (cni_geometry *)cni_blocks_at(&world->blocks, p->geometry);
-	if (s.geometry->type == CN_SHAPE_CHAIN)
+	if (cni_is_chain(s.geometry->type))
 		return limit;
 	s.geometry->seams = 0;
 	if ((p->flags & CNI_PROXY_STATIC) && cni_seams_possible(s.geometry, world->settings.slop))

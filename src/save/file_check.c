@@ -103,7 +103,7 @@ static int32_t body_numbers_hold(const cni_body *b)
 
 static int32_t shape_numbers_hold(const cni_shape *s)
 {
-	return s->event_mask < 1u << CN_EVENT_KINDS && (s->mix & 15) <= CN_MIX_MAXIMUM && s->mix >> 4 <= CN_MIX_MAXIMUM && s->static_friction >= 0.0f &&
+	return (s->event_mask & ~CNI_EVENT_MASK) == 0 && (CNI_HAS_EVENTS || (s->flags & ~CNI_SHAPE_FLAGS) == 0) && (CNI_HAS_RESTITUTION || s->restitution == 0.0f) && (s->mix & 15) <= CN_MIX_MAXIMUM && s->mix >> 4 <= CN_MIX_MAXIMUM && s->static_friction >= 0.0f &&
 	       s->dynamic_friction >= 0.0f && s->restitution >= 0.0f && s->restitution <= 1.0f && s->rolling_resistance >= 0.0f && s->density >= 0.0f;
 }
 
@@ -331,7 +331,7 @@ static int32_t contact_place_holds(const cn_world *world, int32_t contact)
 		return !(c->flags & CNI_CONTACT_ASLEEP) && (c->slot == CNI_NONE || (c->slot >= 0 && c->slot < world->apart.count && ((const int32_t *)world->apart.data)[c->slot] == contact));
 	if (c->slot < 0 || (c->flags & CNI_CONTACT_SENSOR))
 		return 0;
-	if (c->flags & CNI_CONTACT_ASLEEP)
+	if (!CNI_SLEEP_IN_BLOCKS && (c->flags & CNI_CONTACT_ASLEEP))
 		return c->slot < world->sleep_lanes.count && ((const cni_sleep_lane *)world->sleep_lanes.data)[c->slot].contact == contact;
 	return c->slot / CNI_LANES < world->block_used && cni_block_info_at(world, c->slot / CNI_LANES)->color != CNI_NONE &&
 	       cni_block_info_at(world, c->slot / CNI_LANES)->contact[c->slot % CNI_LANES] == contact;
@@ -367,7 +367,8 @@ static int32_t sleep_lanes_hold(const cn_world *world)
 
 /* ---- lanes ---- */
 
-/* A lane in use: its contact has it, its bodies are the contact's, and an anchor names the body that is not awake. */
+/* A lane in use: its contact has it, its bodies are the contact's, and an anchor names the body that is not awake. The lane of a
+   contact that sleeps has neither. */
 static int32_t lane_holds(const cn_world *world, int32_t block, int32_t lane)
 {
 	const cni_block_info *info = cni_block_info_at(world, block);
@@ -378,8 +379,10 @@ static int32_t lane_holds(const cn_world *world, int32_t block, int32_t lane)
 		return 0;
 	c = cni_contact_at(world, contact);
 	flipped = (c->flags & CNI_CONTACT_FLIPPED) != 0;
-	if (c->slot != block * CNI_LANES + lane || (c->flags & (CNI_CONTACT_TOUCHING | CNI_CONTACT_ASLEEP)) != CNI_CONTACT_TOUCHING)
+	if (c->slot != block * CNI_LANES + lane || !(c->flags & CNI_CONTACT_TOUCHING) || ((c->flags & CNI_CONTACT_ASLEEP) != 0) != (info->color == CNI_COLOR_ASLEEP))
 		return 0;
+	if (c->flags & CNI_CONTACT_ASLEEP)
+		return rows->ia[lane] == 0 && rows->ib[lane] == 0 && !(info->anchored >> lane & 1u);
 	if (rows->ia[lane] != cni_body_at(world, c->body[flipped])->awake || rows->ib[lane] != cni_body_at(world, c->body[1 - flipped])->awake)
 		return 0;
 	return rows->ib[lane] != 0 || !(info->anchored >> lane & 1u) || cni_block_anchor_at(world, block)->x.body[lane] == c->body[1 - flipped];
@@ -423,7 +426,7 @@ static int32_t extra_rows_hold(const cn_world *world)
 static int32_t blocks_hold(const cn_world *world)
 {
 	int32_t color, used = 0, k, free_blocks = 0;
-	for (color = 0; color < CNI_COLORS; ++color) {
+	for (color = 0; color < CNI_COLOR_LISTS; ++color) {
 		int32_t count = blocks_of_color(world, color);
 		if (count == CNI_NONE)
 			return 0;

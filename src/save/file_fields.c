@@ -417,10 +417,10 @@ static void blocks_pass(cn_world *world, cni_file *f)
 	lanes_pass(world, f, "BLOK", OF_BLOCK, &world->blocks_hot, world->block_used);
 	lanes_pass(world, f, "ANCH", OF_ANCHOR, &world->blocks_anchor, world->block_used);
 	extra_pass(world, f);
-	count = cni_file_chunk(f, "COLR", cni_record_file_bytes(&records[OF_COLOR]), CNI_COLORS, &stride);
-	if (count != CNI_COLORS)
+	count = cni_file_chunk(f, "COLR", cni_record_file_bytes(&records[OF_COLOR]), CNI_COLOR_LISTS, &stride);
+	if (count != CNI_COLOR_LISTS)
 		cni_file_fail(f, CN_ERROR_FORMAT);
-	for (color = 0; color < CNI_COLORS; ++color)
+	for (color = 0; color < CNI_COLOR_LISTS; ++color)
 		cni_file_record(f, &records[OF_COLOR], &world->colors[color], stride);
 }
 

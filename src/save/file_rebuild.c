@@ -14,11 +14,11 @@
 static int32_t points_are_possible(int32_t type, uint32_t count, uint32_t seams)
 {
 	switch (type) {
-	case CN_SHAPE_CIRCLE: return count == 1;
+	case CN_SHAPE_CIRCLE: return CNI_HAS_CIRCLES && count == 1;
 	case CN_SHAPE_CAPSULE:
 	case CN_SHAPE_EDGE: return count == 2;
 	case CN_SHAPE_POLYGON: return count >= 3 && count <= CN_POLYGON_MAX_VERTICES;
-	case CN_SHAPE_CHAIN: return count <= 65535 && seams <= 1 && count >= (seams ? 3u : 2u);
+	case CN_SHAPE_CHAIN: return CNI_HAS_CHAINS && count <= 65535 && seams <= 1 && count >= (seams ? 3u : 2u);
 	default: return 0;
 	}
 }

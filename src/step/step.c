@@ -87,7 +87,7 @@ static void joints_relax(cn_world *world, const cni_solve *s)
 
 static void impulses_sum(cn_world *world, const cni_solve *s)
 {
-	if (!world->sums_active)
+	if (!CNI_HAS_EVENTS || !world->sums_active)
 		return;
 	if (has_direct(s))
 		cni_direct_sum_impulses(world, s->direct);
@@ -97,6 +97,8 @@ static void impulses_sum(cn_world *world, const cni_solve *s)
 /* A step without motion has contacts and events, too. */
 static void report_without_motion(cn_world *world)
 {
+	if (!CNI_HAS_EVENTS)
+		return;
 	cni_impulse_sums_make(world);
 	cni_impulse_sums_report(world);
 }
@@ -108,12 +110,13 @@ static void substeps_lead(void *context)
 	int32_t k;
 	for (k = 0; k < s->substeps; ++k) {
 		cni_integrate_velocities(world, s, k);
-		cni_impulse_sums_open(world, s);
+		if (CNI_HAS_EVENTS)
+			cni_impulse_sums_open(world, s);
 		if (k == 0) {
 			joints_warm_start(world, s);
 			cni_contacts_warm_start(world, s);
 		}
-		if (CNI_ON(IMPACTS))
+		if (CNI_HAS_RESTITUTION && CNI_ON(IMPACTS))
 			cni_contacts_impact(world, s);
 		joints_solve(world, s);
 		cni_contacts_solve(world, s);
@@ -179,7 +182,7 @@ static int32_t step_soft(cn_world *world, float dt, uint64_t *mark)
 	if (has_joints(world))
 		cni_joints_prepare(world, &s);
 	cni_contacts_list(world, &s);
-	if (s.sums)
+	if (CNI_HAS_EVENTS && s.sums)
 		cni_impulse_sums_make(world);
 	if (CNI_HAS_DIRECT)
 		cni_stage_select_solvers(world, s.h);
@@ -204,7 +207,8 @@ static int32_t step_soft(cn_world *world, float dt, uint64_t *mark)
 	if (CNI_HAS_CONTINUOUS && (world->settings.flags & CN_WORLD_CONTINUOUS))
 		cni_stage_continuous(world);
 	rested = cni_stage_finalize(world, &s);
-	cni_impulse_sums_report(world);
+	if (CNI_HAS_EVENTS)
+		cni_impulse_sums_report(world);
 	if (has_joints(world))
 		cni_joints_break(world);
 	profile_mark(world, &profile->finalize_s, mark);
@@ -262,7 +266,8 @@ void cni_step(cn_world *world, float dt)
 		cni_stage_sleep(world);
 	profile_mark(world, &profile->sleep_s, &mark);
 	cni_team_hold(world->team, 0);
-	cni_stage_events(world); /* last, so that callbacks and later reads of the arrays see the same world */
+	if (CNI_HAS_EVENTS)
+		cni_stage_events(world); /* last, so that callbacks and later reads of the arrays see the same world */
 	profile_mark(world, &profile->events_s, &mark);
 	step_end(world, dt, rested);
 	profile_mark(world, &profile->step_s, &begin);

@@ -139,6 +139,56 @@ static void settings_resolve(cni_settings *set, const cn_world_def *d)
 
 /* ---- tables ---- */
 
+/* Tables and arrays of the world: where they are, and the size of an item. */
+typedef struct table_of_world {
+	uint16_t offset, item_bytes, page_shift;
+} table_of_world;
+
+typedef struct array_of_world {
+	uint16_t offset, item_bytes;
+} array_of_world;
+
+#define TABLE(member, item, page_shift) { offsetof(cn_world, member), sizeof(item), page_shift }
+static const table_of_world world_tables[] = {
+	TABLE(bodies, cni_body, CNI_PAGE_BODIES),
+	TABLE(readback, cn_body_moved, CNI_PAGE_READBACK),
+	TABLE(shapes, cni_shape, CNI_PAGE_SHAPES),
+	TABLE(proxies, cni_proxy, CNI_PAGE_PROXIES),
+	TABLE(contacts, cni_contact, CNI_PAGE_CONTACTS),
+	TABLE(blocks_hot, cni_contact_block, CNI_PAGE_BLOCKS),
+	TABLE(blocks_info, cni_block_info, CNI_PAGE_BLOCKS),
+	TABLE(blocks_anchor, cni_block_anchor, CNI_PAGE_BLOCKS),
+	TABLE(blocks_extra, cni_block_extra, CNI_PAGE_BLOCKS),
+	TABLE(joints, cni_joint, CNI_PAGE_JOINTS),
+	TABLE(islands, cni_island, CNI_PAGE_ISLANDS),
+};
+
+#define ARRAY(member, item_bytes) { offsetof(cn_world, member), item_bytes }
+static const array_of_world world_arrays[] = {
+	ARRAY(motion, sizeof(cni_motion)),
+	ARRAY(start, sizeof(cni_velocity_start)),
+	ARRAY(external, sizeof(cni_external)),
+	ARRAY(awake_id, sizeof(int32_t)),
+	ARRAY(kicked, sizeof(cn_body)),
+	ARRAY(previous, sizeof(cni_previous)),
+	ARRAY(apart, sizeof(int32_t)),
+	ARRAY(awake_joints, sizeof(int32_t)),
+	ARRAY(direct_islands, sizeof(int32_t)),
+	ARRAY(direct_plans[0], CNI_KEPT_BYTES),
+	ARRAY(direct_plans[1], CNI_KEPT_BYTES),
+	ARRAY(joint_work, CNI_JOINT_CONSTRAINT_BYTES),
+	ARRAY(block_list, sizeof(cni_listed_block)),
+	ARRAY(joint_blocks, sizeof(cni_joint_block)),
+	ARRAY(sleep_lanes, sizeof(cni_sleep_lane)),
+	ARRAY(pairs.list, sizeof(cni_pair)),
+	ARRAY(areas, sizeof(cni_area)),
+};
+
+#define COUNT_OF(list) ((int32_t)(sizeof(list) / sizeof((list)[0])))
+
+static cni_table *table_at(cn_world *world, int32_t k) { return (cni_table *)(void *)((uint8_t *)world + world_tables[k].offset); }
+static cni_array *array_at(cn_world *world, int32_t k) { return (cni_array *)(void *)((uint8_t *)world + world_arrays[k].offset); }
+
 static void tables_init(cn_world *world)
 {
 	int32_t k;
@@ -147,36 +197,12 @@ static void tables_init(cn_world *world)
 	cni_handles_init(&world->body_handles, CNI_KIND_BODY);
 	cni_handles_init(&world->shape_handles, CNI_KIND_SHAPE);
 	cni_handles_init(&world->joint_handles, CNI_KIND_JOINT);
-	cni_table_init(&world->bodies, (int32_t)sizeof(cni_body), CNI_PAGE_BODIES);
-	cni_table_init(&world->readback, (int32_t)sizeof(cn_body_moved), CNI_PAGE_READBACK);
-	cni_table_init(&world->shapes, (int32_t)sizeof(cni_shape), CNI_PAGE_SHAPES);
-	cni_table_init(&world->proxies, (int32_t)sizeof(cni_proxy), CNI_PAGE_PROXIES);
-	cni_table_init(&world->contacts, (int32_t)sizeof(cni_contact), CNI_PAGE_CONTACTS);
-	cni_table_init(&world->blocks_hot, (int32_t)sizeof(cni_contact_block), CNI_PAGE_BLOCKS);
-	cni_table_init(&world->blocks_info, (int32_t)sizeof(cni_block_info), CNI_PAGE_BLOCKS);
-	cni_table_init(&world->blocks_anchor, (int32_t)sizeof(cni_block_anchor), CNI_PAGE_BLOCKS);
-	cni_table_init(&world->blocks_extra, (int32_t)sizeof(cni_block_extra), CNI_PAGE_BLOCKS);
-	cni_table_init(&world->joints, (int32_t)sizeof(cni_joint), CNI_PAGE_JOINTS);
-	cni_table_init(&world->islands, (int32_t)sizeof(cni_island), CNI_PAGE_ISLANDS);
-	cni_array_init(&world->motion, (int32_t)sizeof(cni_motion));
-	cni_array_init(&world->start, (int32_t)sizeof(cni_velocity_start));
-	cni_array_init(&world->external, (int32_t)sizeof(cni_external));
-	cni_array_init(&world->awake_id, (int32_t)sizeof(int32_t));
-	cni_array_init(&world->kicked, (int32_t)sizeof(cn_body));
-	cni_array_init(&world->previous, (int32_t)sizeof(cni_previous));
-	cni_array_init(&world->apart, (int32_t)sizeof(int32_t));
-	cni_array_init(&world->awake_joints, (int32_t)sizeof(int32_t));
-	cni_array_init(&world->direct_islands, (int32_t)sizeof(int32_t));
-	cni_array_init(&world->direct_plans[0], CNI_KEPT_BYTES);
-	cni_array_init(&world->direct_plans[1], CNI_KEPT_BYTES);
-	cni_array_init(&world->joint_work, CNI_JOINT_CONSTRAINT_BYTES);
-	cni_array_init(&world->block_list, (int32_t)sizeof(cni_listed_block));
-	cni_array_init(&world->joint_blocks, (int32_t)sizeof(cni_joint_block));
-	cni_array_init(&world->sleep_lanes, (int32_t)sizeof(cni_sleep_lane));
-	cni_array_init(&world->pairs.list, (int32_t)sizeof(cni_pair));
-	cni_array_init(&world->areas, (int32_t)sizeof(cni_area));
+	for (k = 0; k < COUNT_OF(world_tables); ++k)
+		cni_table_init(table_at(world, k), world_tables[k].item_bytes, world_tables[k].page_shift);
+	for (k = 0; k < COUNT_OF(world_arrays); ++k)
+		cni_array_init(array_at(world, k), world_arrays[k].item_bytes);
 	cni_events_init(&world->events);
-	for (k = 0; k < CNI_COLORS; ++k)
+	for (k = 0; k < CNI_COLOR_LISTS; ++k)
 		world->colors[k].first = world->colors[k].last = CNI_NONE;
 	world->proxy_free = world->contact_free = world->block_free = world->island_free = CNI_NONE;
 }
@@ -184,6 +210,7 @@ static void tables_init(cn_world *world)
 static void tables_deinit(cn_world *world)
 {
 	cni_memory *memory = &world->memory;
+	int32_t k;
 	if (world->broadphase != NULL)
 		world->broadphase_ops->destroy(world->broadphase);
 	cni_arena_deinit(&world->arena);
@@ -191,41 +218,17 @@ static void tables_deinit(cn_world *world)
 	cni_handles_deinit(&world->body_handles, memory);
 	cni_handles_deinit(&world->shape_handles, memory);
 	cni_handles_deinit(&world->joint_handles, memory);
-	cni_table_deinit(&world->bodies, memory);
-	cni_table_deinit(&world->readback, memory);
-	cni_table_deinit(&world->shapes, memory);
-	cni_table_deinit(&world->proxies, memory);
-	cni_table_deinit(&world->contacts, memory);
-	cni_table_deinit(&world->blocks_hot, memory);
-	cni_table_deinit(&world->blocks_info, memory);
-	cni_table_deinit(&world->blocks_anchor, memory);
-	cni_table_deinit(&world->blocks_extra, memory);
-	cni_table_deinit(&world->joints, memory);
-	cni_table_deinit(&world->islands, memory);
-	cni_array_deinit(&world->motion, memory);
-	cni_array_deinit(&world->start, memory);
-	cni_array_deinit(&world->external, memory);
-	cni_array_deinit(&world->awake_id, memory);
-	cni_array_deinit(&world->kicked, memory);
-	cni_array_deinit(&world->previous, memory);
-	cni_array_deinit(&world->apart, memory);
-	cni_array_deinit(&world->awake_joints, memory);
-	cni_array_deinit(&world->direct_islands, memory);
-	cni_array_deinit(&world->direct_plans[0], memory);
-	cni_array_deinit(&world->direct_plans[1], memory);
-	cni_array_deinit(&world->joint_work, memory);
-	cni_array_deinit(&world->block_list, memory);
-	cni_array_deinit(&world->joint_blocks, memory);
-	cni_array_deinit(&world->sleep_lanes, memory);
-	cni_array_deinit(&world->pairs.list, memory);
-	cni_array_deinit(&world->areas, memory);
+	for (k = 0; k < COUNT_OF(world_tables); ++k)
+		cni_table_deinit(table_at(world, k), memory);
+	for (k = 0; k < COUNT_OF(world_arrays); ++k)
+		cni_array_deinit(array_at(world, k), memory);
 	cni_events_deinit(&world->events, memory);
 }
 
-/* Creates the dummy body at dense index 0: infinite mass, never moves. */
-static cn_result dummy_create(cn_world *world)
+/* Creates the dummy body at dense index 0, with room for others: infinite mass, never moves. */
+static cn_result dummy_create(cn_world *world, int32_t bodies)
 {
-	if (cni_body_reserve(world, 0) != CN_OK)
+	if (cni_body_reserve(world, bodies) != CN_OK)
 		return CN_ERROR_MEMORY;
 	world->awake_count = 1;
 	world->motion.count = world->start.count = world->external.count = world->awake_id.count = 1;
@@ -274,7 +277,7 @@ static cn_result team_create(cn_world *world, const cn_world_def *d)
 
 /* ---- capacities ---- */
 
-#define SPARE_BYTES 1024u /* what the first allocations leave between others when they grow */
+#define SPARE_BYTES 0u /* what the first allocations leave between others when they grow */
 
 /* Slots that have worn out their index are found by a list of aliases, which a fixed world has beforehand. */
 static int32_t reserve_handles(cn_world *world, const cn_world_def *d, cni_handles *handles, int32_t capacity)
@@ -290,7 +293,7 @@ static int32_t reserve_records(cn_world *world, const cn_world_def *d)
 	return reserve_handles(world, d, &world->body_handles, bodies) && cni_table_reserve(&world->bodies, m, bodies) &&
 	       reserve_handles(world, d, &world->shape_handles, shapes) && cni_table_reserve(&world->shapes, m, shapes) &&
 	       reserve_handles(world, d, &world->joint_handles, joints) && cni_table_reserve(&world->joints, m, joints) &&
-	       cni_body_reserve(world, d->body_capacity) == CN_OK && cni_table_reserve(&world->proxies, m, d->shape_capacity) &&
+	       cni_table_reserve(&world->proxies, m, d->shape_capacity) &&
 	       cni_island_reserve(world, d->body_capacity / 2 + 2);
 }
 
@@ -325,6 +328,8 @@ static int32_t blocks_for(int32_t lanes)
 {
 	return lanes / CNI_LANES + (CNI_LANES == 1 ? 0 : cni_min_i(lanes, CNI_COLORS));
 }
+
+static int32_t sleep_lanes_for(int32_t lanes) { return CNI_SLEEP_IN_BLOCKS ? 0 : lanes; }
 
 /* Most islands: bodies that touch nothing have none. */
 static int32_t islands_for(int32_t bodies)
@@ -387,7 +392,7 @@ static int32_t reserve_moved(cn_world *world, const cn_world_def *d)
 static int32_t reserve_rest(cn_world *world, const cn_world_def *d)
 {
 	cni_memory *m = &world->memory;
-	return reserve_events(world, d) && reserve_pieces(world, d) && cni_array_reserve_exact(&world->sleep_lanes, m, touching_of(d)) &&
+	return reserve_events(world, d) && reserve_pieces(world, d) && cni_array_reserve_exact(&world->sleep_lanes, m, sleep_lanes_for(touching_of(d))) &&
 	       cni_array_reserve_exact(&world->pairs.list, m, d->contact_capacity) &&
 	       cni_array_reserve_exact(&world->direct_islands, m, CNI_HAS_DIRECT ? d->body_capacity / 2 : 0) &&
 	       cni_array_reserve_exact(&world->direct_plans[0], m, plan_items(d)) &&
@@ -459,7 +464,7 @@ static uint64_t event_arrays_bytes(int32_t n)
 static uint64_t contact_arrays_bytes(int32_t contacts, int32_t touching)
 {
 	return array_bytes(contacts, sizeof(int32_t)) + array_bytes(contacts, sizeof(cni_pair)) + array_bytes(blocks_for(touching), sizeof(cni_listed_block)) +
-	       array_bytes(touching, sizeof(cni_sleep_lane));
+	       array_bytes(sleep_lanes_for(touching), sizeof(cni_sleep_lane));
 }
 
 static uint64_t joint_arrays_bytes(int32_t joints)
@@ -528,7 +533,7 @@ cn_result cn_world_create(const cn_world_def *def, cn_world **out_world)
 	tables_init(world);
 	world->event_capacity = events_of(def);
 	world->vertex_capacity = def->memory != NULL ? def->vertex_capacity : 0;
-	created = dummy_create(world) == CN_OK && broadphase_create(world, def->shape_capacity) == CN_OK &&
+	created = dummy_create(world, def->body_capacity) == CN_OK && broadphase_create(world, def->shape_capacity) == CN_OK &&
 	       reserve_records(world, def) && reserve_contacts(world, def) &&
 	       (def->memory == NULL || reserve_rest(world, def)) && team_create(world, def) == CN_OK;
 	if (!created) {

@@ -211,8 +211,23 @@ cni_call cni_enter_free(void)
 
 /* ------------------------------------------------------------------ refusing */
 
-/* Records the first failure of a call: "function: " and the format with %s for a string, %f a double, %i an int64_t, %x a uint32_t. */
-static void refuse(cni_call *call, cn_result result, const char *format, ...)
+/* As an argument of refuse: doubles take soft-float routines on processors that compute in single precision only. */
+static uint32_t bits_of(float value)
+{
+	uint32_t bits;
+	memcpy(&bits, &value, sizeof bits);
+	return bits;
+}
+
+static float float_of(uint32_t bits)
+{
+	float value;
+	memcpy(&value, &bits, sizeof value);
+	return value;
+}
+
+/* Records the first failure of a call: "function: " and the format with %s for a string, %f bits_of a float, %i an int64_t, %x a uint32_t. */
+static void refuse_in_words(cni_call *call, cn_result result, const char *format, ...)
 {
 	cni_text text;
 	va_list values;
@@ -230,13 +245,28 @@ static void refuse(cni_call *call, cn_result result, const char *format, ...)
 		}
 		switch (*++format) {
 		case 's': cni_text_string(&text, va_arg(values, const char *)); break;
-		case 'f': cni_text_float(&text, (float)va_arg(values, double)); break;
+		case 'f': cni_text_float(&text, float_of(va_arg(values, uint32_t))); break;
 		case 'i': cni_text_int(&text, va_arg(values, int64_t)); break;
 		case 'x': cni_text_hex(&text, va_arg(values, uint32_t)); break;
 		default: text_char(&text, *format); break;
 		}
 	}
 	va_end(values);
+}
+
+/* A macro, so that without messages the compiler drops the words and their numbers. */
+#define refuse(call, result, ...) \
+	do { \
+		if (CNI_HAS_MESSAGES) \
+			refuse_in_words(call, result, __VA_ARGS__); \
+		else \
+			refuse_in_silence(call, result); \
+	} while (0)
+
+static void refuse_in_silence(cni_call *call, cn_result result)
+{
+	if (call->result == CN_OK)
+		call->result = result;
 }
 
 cn_result cni_refuse(cni_call *call, cn_result result, const char *what)
@@ -247,7 +277,7 @@ cn_result cni_refuse(cni_call *call, cn_result result, const char *what)
 
 cn_result cni_refuse_float(cni_call *call, const char *field, float value, const char *must)
 {
-	refuse(call, CN_ERROR_ARGUMENT, "%s %f; %s", field, (double)value, must);
+	refuse(call, CN_ERROR_ARGUMENT, "%s %f; %s", field, bits_of(value), must);
 	return call->result;
 }
 
@@ -259,16 +289,16 @@ cn_result cni_refuse_int(cni_call *call, const char *field, int64_t value, const
 
 void cni_refuse_near(cni_call *call, const cn_vec2 *points, int32_t count, int32_t closed)
 {
-	double distance, least;
+	float distance, least;
 	if (call->result != CN_OK)
 		return;
-	distance = (double)cni_least_distance(points, count, closed);
-	least = (double)call->world->settings.thickness_least;
-	if (distance > 0.0)
+	distance = cni_least_distance(points, count, closed);
+	least = call->world->settings.thickness_least;
+	if (distance > 0.0f)
 		refuse(call, CN_ERROR_ARGUMENT, "distance of points_m %f; must be from %f (0.05%% of the length unit) to 1e6; a world with cn_world_def.length_unit_m up to %f takes it",
-		       distance, least, (double)((float)distance / CNI_THICKNESS_LEAST));
+		       bits_of(distance), bits_of(least), bits_of(distance / CNI_THICKNESS_LEAST));
 	else
-		refuse(call, CN_ERROR_ARGUMENT, "distance of points_m %f; must be from %f", distance, least);
+		refuse(call, CN_ERROR_ARGUMENT, "distance of points_m %f; must be from %f", bits_of(distance), bits_of(least));
 }
 
 void cni_check_reserved(cni_call *call, cn_result result, const char *things)
@@ -310,13 +340,13 @@ void cni_check_finite(cni_call *call, const char *field, float value)
 void cni_check_finite2(cni_call *call, const char *field, cn_vec2 value)
 {
 	if (!cni_is_finite2(value))
-		refuse(call, CN_ERROR_ARGUMENT, "%s (%f, %f); both must be finite", field, (double)value.x, (double)value.y);
+		refuse(call, CN_ERROR_ARGUMENT, "%s (%f, %f); both must be finite", field, bits_of(value.x), bits_of(value.y));
 }
 
 void cni_check_at_least(cni_call *call, const char *field, float value, float lower)
 {
 	if (!(cni_is_finite(value) && value >= lower))
-		refuse(call, CN_ERROR_ARGUMENT, "%s %f; must be finite and >= %f", field, (double)value, (double)lower);
+		refuse(call, CN_ERROR_ARGUMENT, "%s %f; must be finite and >= %f", field, bits_of(value), bits_of(lower));
 }
 
 void cni_check_positive(cni_call *call, const char *field, float value)
@@ -348,7 +378,7 @@ void cni_check_above_0_or_default(cni_call *call, const char *field, float value
 void cni_check_range(cni_call *call, const char *field, float value, float lower, float upper)
 {
 	if (!(value >= lower && value <= upper))
-		refuse(call, CN_ERROR_ARGUMENT, "%s %f; must be from %f to %f", field, (double)value, (double)lower, (double)upper);
+		refuse(call, CN_ERROR_ARGUMENT, "%s %f; must be from %f to %f", field, bits_of(value), bits_of(lower), bits_of(upper));
 }
 
 void cni_check_work_budget(cni_call *call, int32_t value)
@@ -389,7 +419,7 @@ void cni_check_position(cni_call *call, const char *field, cn_vec2 value)
 		return;
 	limit = CNI_POSITION_MAX_UNITS * call->world->settings.length_unit;
 	if (!(cni_abs(value.x) <= limit && cni_abs(value.y) <= limit))
-		refuse(call, CN_ERROR_ARGUMENT, "%s (%f, %f); both must be finite and within +-%f", field, (double)value.x, (double)value.y, (double)limit);
+		refuse(call, CN_ERROR_ARGUMENT, "%s (%f, %f); both must be finite and within +-%f", field, bits_of(value.x), bits_of(value.y), bits_of(limit));
 }
 
 void cni_check_angle(cni_call *call, const char *field, float value)
@@ -411,7 +441,7 @@ void cni_check_material(cni_call *call, const cn_material *material)
 {
 	cni_check_range(call, "static_friction", material->static_friction, 0.0f, 100.0f);
 	cni_check_range(call, "dynamic_friction", material->dynamic_friction, 0.0f, material->static_friction);
-	cni_check_range(call, "restitution", material->restitution, 0.0f, 1.0f);
+	cni_check_range(call, "restitution", material->restitution, 0.0f, CNI_HAS_RESTITUTION ? 1.0f : 0.0f);
 	cni_check_range(call, "rolling_resistance", material->rolling_resistance, 0.0f, 1e3f);
 	cni_check_range(call, "tangent_speed_mps", material->tangent_speed_mps, -1e4f, 1e4f);
 	cni_check_range_int(call, "friction_mix", material->friction_mix, CN_MIX_AVERAGE, CN_MIX_MAXIMUM);

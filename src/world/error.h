@@ -23,7 +23,9 @@
 /* Coordinates up to this many length units are accepted. */
 #define CNI_POSITION_MAX_UNITS 1e6f
 /* All public shape flags. */
-#define CNI_SHAPE_FLAGS ((uint32_t)(CN_SHAPE_SENSOR | CN_SHAPE_SENSOR_SEEN | CN_SHAPE_ONE_WAY | CN_SHAPE_PRE_SOLVE))
+#define CNI_SHAPE_FLAGS ((uint32_t)CN_SHAPE_ONE_WAY | (CNI_HAS_EVENTS ? (uint32_t)(CN_SHAPE_SENSOR | CN_SHAPE_SENSOR_SEEN | CN_SHAPE_PRE_SOLVE) : 0u))
+/* The events that a shape may ask for. */
+#define CNI_EVENT_MASK (CNI_HAS_EVENTS ? (1u << CN_EVENT_KINDS) - 1u : 0u)
 /* All public flags of areas. */
 #define CNI_AREA_FLAGS ((uint32_t)CN_AREA_REPLACE)
 /*

@@ -6,8 +6,6 @@
  */
 #include "world/define.h"
 
-#define EVENT_MASK ((1u << CN_EVENT_KINDS) - 1u)
-
 /* ------------------------------------------------------------------ attaching */
 
 cn_result cn_shape_attach(cn_world *world, cn_shape shape, cn_body body)
@@ -207,7 +205,7 @@ cn_result cn_shape_set_event_mask(cn_world *world, cn_shape shape, uint32_t even
 	cni_call call = cni_enter(world, __func__);
 	cni_shape *s = cni_check_shape(&call, "shape", shape);
 	int32_t index = cni_shape_index(world, shape), key;
-	cni_check_flags(&call, "event_mask", event_mask, EVENT_MASK);
+	cni_check_flags(&call, "event_mask", event_mask, CNI_EVENT_MASK);
 	reserve_leave(&call, world, s);
 	if (call.result != CN_OK)
 		return call.result;

@@ -9,8 +9,6 @@
 
 #include <string.h>
 
-#define EVENT_MASK ((1u << CN_EVENT_KINDS) - 1u)
-
 void cn_shape_def_init(cn_shape_def *def)
 {
 	if (def == NULL)
@@ -24,7 +22,7 @@ void cn_shape_def_init(cn_shape_def *def)
 	def->material.restitution_mix = CN_MIX_MAXIMUM;
 	def->filter.category = 1;
 	def->filter.mask = ~(uint64_t)0;
-	def->event_mask = 1u << CN_EVENT_ENTER | 1u << CN_EVENT_LEAVE;
+	def->event_mask = (1u << CN_EVENT_ENTER | 1u << CN_EVENT_LEAVE) & CNI_EVENT_MASK;
 }
 
 static void check_def(cni_call *call, const cn_shape_def *def)
@@ -42,7 +40,7 @@ static void check_def(cni_call *call, const cn_shape_def *def)
 	cni_check_at_least(call, "density_kgpm2", def->density_kgpm2, 0.0f);
 	cni_check_material(call, &def->material);
 	cni_check_flags(call, "flags", def->flags, CNI_SHAPE_FLAGS);
-	cni_check_flags(call, "event_mask", def->event_mask, EVENT_MASK);
+	cni_check_flags(call, "event_mask", def->event_mask, CNI_EVENT_MASK);
 }
 
 static void record_fill(cni_call *call, cn_world *world, cni_shape *s, const cn_shape_def *def, const cni_geometry *g, cni_ref ref)
@@ -51,7 +49,7 @@ static void record_fill(cni_call *call, cn_world *world, cni_shape *s, const cn_
 	s->body = s->next = s->prev = CNI_NONE;
 	s->type = (uint8_t)g->type;
 	s->geometry = ref;
-	if (g->type != CN_SHAPE_CHAIN)
+	if (!cni_is_chain(g->type))
 		s->box.proxy = CNI_NONE;
 	s->density = def->density_kgpm2;
 	if (!cni_shape_store_material(world, s, &def->material))

@@ -167,6 +167,14 @@ static void check_lane(report *r, int32_t contact)
 	expect(r, cni_body_at(world, c->body[flipped])->type == CN_BODY_DYNAMIC, "lane body a is dynamic, contact", contact);
 }
 
+static int32_t sleep_lane_is_of(const cn_world *world, int32_t contact)
+{
+	int32_t slot = cni_contact_at(world, contact)->slot;
+	if (CNI_SLEEP_IN_BLOCKS)
+		return cni_block_info_at(world, slot)->color == CNI_COLOR_ASLEEP && cni_block_info_at(world, slot)->contact[0] == contact;
+	return slot < world->sleep_lanes.count && ((const cni_sleep_lane *)world->sleep_lanes.data)[slot].contact == contact;
+}
+
 static void check_contact(report *r, int32_t contact)
 {
 	const cn_world *world = r->world;
@@ -180,7 +188,7 @@ static void check_contact(report *r, int32_t contact)
 		expect(r, awake ? c->slot >= 0 && c->slot < world->apart.count && ((const int32_t *)world->apart.data)[c->slot] == contact : c->slot == CNI_NONE,
 		       "apart list of contact", contact);
 	else if (c->flags & CNI_CONTACT_ASLEEP)
-		expect(r, c->slot < world->sleep_lanes.count && ((const cni_sleep_lane *)world->sleep_lanes.data)[c->slot].contact == contact, "sleep lane of contact", contact);
+		expect(r, sleep_lane_is_of(world, contact), "sleep lane of contact", contact);
 	else
 		check_lane(r, contact);
 }
@@ -201,7 +209,7 @@ static void check_contacts(report *r)
 	}
 	expect(r, count == world->contact_count, "count of contacts", count);
 	expect(r, touching == world->touching_count, "count of touching contacts", touching);
-	for (k = 0; k < CNI_COLORS; ++k)
+	for (k = 0; k < CNI_COLOR_LISTS; ++k)
 		lanes += world->colors[k].lanes;
 	expect(r, lanes + world->sleep_lanes.count == touching, "lanes in colours and asleep", lanes);
 }

@@ -133,7 +133,7 @@ static void contacts_are_checked(void)
 	BREAK(int32_t, cni_block_at(world, block)->ia[c->slot % CNI_LANES], 0, "bodies in the lane");
 	BREAK(int32_t, cni_block_at(world, block)->ib[c->slot % CNI_LANES], 0, "bodies in the lane");
 	BREAK(int32_t, cni_contact_at(world, apart)->slot, world->apart.count, "apart list");
-	BREAK(int32_t, cni_contact_at(world, sleeper)->slot, world->sleep_lanes.count, "sleep lane");
+	BREAK(int32_t, cni_contact_at(world, sleeper)->slot, CNI_SLEEP_IN_BLOCKS ? c->slot : world->sleep_lanes.count, "sleep lane");
 	OFF_BY_ONE(world->contact_count, "count of contacts");
 	OFF_BY_ONE(world->touching_count, "count of touching contacts");
 	OFF_BY_ONE(world->colors[0].lanes, "lanes in colours");
