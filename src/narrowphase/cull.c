@@ -378,7 +378,7 @@ static void batch_cull(cni_cull *s)
 	int32_t size = cni_min_i(CNI_CULL_BATCH, cni_min_i(s->end, s->of.apart) - s->at);
 	s->batch = s->at;
 	s->at += size;
-	s->left = ~apart_of_batch(s, s->batch, size) & (~0u >> (CNI_CULL_BATCH - size));
+	s->left = ~apart_of_batch(s, s->batch, size) & (~0u >> (32 - size));
 }
 
 /* The rest of the batch. */

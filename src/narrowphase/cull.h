@@ -7,8 +7,12 @@
 
 #include "narrowphase/touch.h"
 
-/* Contacts in a batch: one bit each. */
+/* Pairs culled at once, at most the bits of a word. */
+#ifdef CN_SMALL_BLOCKS
+#define CNI_CULL_BATCH 4
+#else
 #define CNI_CULL_BATCH 32
+#endif
 
 /* Position and reach of a body in a step. */
 typedef struct cni_cull_body {

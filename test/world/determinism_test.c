@@ -24,11 +24,11 @@ typedef struct golden {
 
 /* clang-format off */
 static const golden goldens[] = {
-	{ "falling_hinges", 480, 1, 0x45895334f611f2ec },
+	{ "falling_hinges", 480, 1, 0xba69b05dbf073836 },
 	{ "small_200", 300, 1, 0x28aee4f04e043a96 },
 	{ "small_50_sleep", 600, 1, 0x8ce4e34fa6ab6b1c },
 	{ "dominoes", 400, 1, 0x6e80a7e88e91e3bc },
-	{ "ragdolls", 480, 1, 0xcdc7d690d67faf57 },
+	{ "ragdolls", 480, 1, 0x707c948be3212942 },
 	{ "bridge", 240, 1, 0xfb581988502e45e7 },
 	{ "car", 400, 1, 0xe2aedc3a6fb7c505 },
 	{ "mixer", 240, 1, 0x2d234f91152a58e2 },
