@@ -363,6 +363,8 @@ static void clamp_slide_or_end(clamp *c)
 		clamp_find(c, c->world, cni_awake_ids(c->world)[c->body->awake], c->targets);
 	}
 	clamp_end(c);
+	if (cni_motion_keep_finite(m)) /* sliding along may overflow where the path is near the limits of float */
+		(void)cni_atomic_add(&c->world->bodies_stopped, 1u);
 }
 
 static void clamp_body(cn_world *world, int32_t body, int32_t targets)
