@@ -85,17 +85,11 @@ CNI_INLINE cni_wide point_separation(const cni_contact_block *k, const cni_conta
 	return cni_wide_load(p->s0 + l) + nx * (b->x - a->x) + ny * (b->y - a->y) + (b->c1 * bn + b->s * bt) - (a->c1 * an + a->s * at);
 }
 
-/* 0 at one slop of overlap, 1 at CNI_DEEP_SLOPS. */
-CNI_INLINE cni_wide depth_of(const cni_contact_pass *pass, cni_wide s)
-{
-	return pass->deep_from - pass->deep_rate * s;
-}
-
 /* 0 to 1: how far the point hardens. Contacts of a crushed crowd stay soft: the stiffer they are, the faster it bursts apart. m: the larger
    inverse mass. */
 CNI_INLINE cni_wide hardness(const cni_contact_pass *pass, cni_wide s, cni_wide jn, cni_wide m)
 {
-	cni_wide deep = cni_wide_min(cni_wide_max(depth_of(pass, s), cni_wide_of(0.0f)), cni_wide_of(1.0f));
+	cni_wide deep = cni_wide_min(cni_wide_max(pass->deep_from - pass->deep_rate * s, cni_wide_of(0.0f)), cni_wide_of(1.0f));
 	cni_wide crush = pass->crush_rate * jn * m;
 	return deep / (1.0f + crush * crush);
 }
@@ -481,24 +475,10 @@ CNI_INLINE cni_wide load_update(cni_wide load, cni_wide jn, cni_wide m, cni_mask
 	return cni_wide_min(load + part * (jn - load), jn);
 }
 
-/*
- * The part of its impulses that a lane starts with. Lanes that are deep in something immovable start with none: bodies that are pinched, as
- * between a crusher and the ground, have impulses that grow from step to step and do not move them apart. When pinched bodies slip, such
- * impulses throw them.
- */
-CNI_INLINE cni_wide warm_part(const cni_contact_block *k, int32_t l, const cni_contact_pass *pass)
-{
-	cni_wide s = cni_wide_min(cni_wide_load(k->p[0].s0 + l), cni_wide_load(k->p[1].s0 + l));
-	cni_wide left = CNI_DEEP_COLD - depth_of(pass, s);
-	if (!pass->one_sided)
-		return cni_wide_of(pass->warm_scale);
-	return pass->warm_scale * cni_wide_min(cni_wide_max(left, cni_wide_of(0.0f)), cni_wide_of(1.0f));
-}
-
 CNI_INLINE void warm_group(cni_motion *motions, const cni_external *externals, cni_contact_block *k, cni_block_extra *extra, int32_t l, const cni_contact_pass *pass)
 {
 	const cni_wide zero = cni_wide_of(0.0f);
-	cni_wide nx = cni_wide_load(k->nx + l), ny = cni_wide_load(k->ny + l), scale = warm_part(k, l, pass);
+	cni_wide nx = cni_wide_load(k->nx + l), ny = cni_wide_load(k->ny + l), scale = cni_wide_of(pass->warm_scale);
 	cni_wide jt = cni_wide_load(k->jt + l) * scale;
 	cni_mask settled;
 	side a, b;

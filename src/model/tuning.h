@@ -53,11 +53,6 @@ CNI_TUNING_FLOAT(CNI_LOAD_RATE, 0.6f)
 CNI_TUNING_FLOAT(CNI_LOAD_HEAVY, 0.1f)
 /* Slops. Overlap from which a contact has twice its frequency; see step/solve_make.c. */
 CNI_TUNING_FLOAT(CNI_DEEP_SLOPS, 3.0f)
-/* Lengths from one slop to CNI_DEEP_SLOPS. A contact with something immovable that overlaps by so much more than a slop starts a step without
-   impulses, with one less with all of them. 1,000 bodies under a crusher: in 5 of 8 seeds some are faster than 45 m/s with all impulses, in 1
-   so. If contacts between movable bodies did the same, 1,000 bodies made in one spot would leave it at 24 m/s instead of 30, but a loaded
-   bridge would open by 153 mm instead of 109. */
-CNI_TUNING_FLOAT(CNI_DEEP_COLD, 3.0f)
 /* Length units per second squared, about 50 weights. A contact that gives the lighter body this acceleration hardens half. */
 CNI_TUNING_FLOAT(CNI_CRUSH_ACCELERATION, 480.0f)
 /* Part of the accuracy. A larger overlap or gap is bad. A component whose joints contacts would open by more than this part of the

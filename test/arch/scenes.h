@@ -884,10 +884,10 @@ typedef struct arch_scene {
 
 #define ARCH_SCENES 8
 static const arch_scene arch_scenes[ARCH_SCENES] = {
-	{ "shapes", scene_shapes, 0xa1d6f899fe0b6c30 },
+	{ "shapes", scene_shapes, 0x013c99c8a94b5923 },
 	{ "joints", scene_joints, 0x57a746ac8a36cddf },
 	{ "direct", scene_direct, 0x3b20c2ed6e0725d5 },
-	{ "tiers", scene_tiers, 0xb8adec1d8ae5c411 },
+	{ "tiers", scene_tiers, 0xadf16f02a86d3171 },
 	{ "sequential", scene_sequential, 0x746ccf2319ea4fb2 },
 	{ "queries", scene_queries, 0x9078b2fad7e8282c },
 	{ "events", scene_events, 0x6817db99d1d93983 },

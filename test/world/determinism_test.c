@@ -31,7 +31,7 @@ static const golden goldens[] = {
 	{ "ragdolls", 480, 1, 0xcdc7d690d67faf57 },
 	{ "bridge", 240, 1, 0xfb581988502e45e7 },
 	{ "car", 400, 1, 0xe2aedc3a6fb7c505 },
-	{ "mixer", 240, 1, 0x4745f6e41b48e8cc },
+	{ "mixer", 240, 1, 0x2d234f91152a58e2 },
 	{ "pyramid", 120, 0, 0xbb24e8518c196cd8 },
 	{ "rain", 150, 0, 0x77f20642a3cbe8b7 },
 	{ "tumbler_1000", 300, 0, 0x9482ebb19bed98a4 },

@@ -3,8 +3,8 @@
  * whatever pushes it (a crowd made in one spot, too little room, a crusher) and whatever the solver, and bodies made in one spot leave it at
  * the push speed between neighbours.
  *
- * If a test fails, look in narrowphase/deep_bodies.c, continuous.c (the guard), step/sequential.c (order), contacts/contact_kernel.h
- * (warm_part). `pressed_test t_soak` runs more seeds (make soak).
+ * If a test fails, look in narrowphase/deep_bodies.c, continuous.c (the guard), step/sequential.c (what is held). `pressed_test t_soak` runs
+ * more seeds (make soak).
  */
 #include "fixture.h"
 
