@@ -295,7 +295,9 @@ typedef struct cn_world_def {
 	                                     substeps included, about 10 ns each; 1 to 1e9; CN_DEFAULT (default): the limits of single
 	                                     islands only */
 	float restitution_threshold_mps;  /* slower impacts do not bounce, >= 0; CN_DEFAULT (default): 1 x length unit */
-	float push_speed_max_mps;         /* greatest speed at which overlaps are pushed apart, > 0; CN_DEFAULT (default): 3 x length unit */
+	float push_speed_max_mps;         /* greatest speed at which the overlap of two shapes is pushed apart, > 0; in a crowd the speeds of
+	                                     neighbours add up: n bodies made in one spot leave it at some sqrt(n) / 2 times as much, at most;
+	                                     CN_DEFAULT (default): 3 x length unit */
 	float linear_speed_max_mps;       /* faster bodies are slowed to it, > 0; CN_DEFAULT (default): 400 x length unit */
 	float angular_speed_max_radps;    /* faster bodies are slowed to it, > 0; default 400 */
 	float sleep_speed_mps;            /* bodies slower than this may sleep, >= 0; CN_DEFAULT (default): 0.05 x length unit */

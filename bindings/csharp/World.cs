@@ -148,7 +148,9 @@ namespace Cairn
 		public int WorkBudget;
 		/// <summary>slower impacts do not bounce, &gt;= 0; CN_DEFAULT (default): 1 x length unit</summary>
 		public float RestitutionThresholdMps;
-		/// <summary>greatest speed at which overlaps are pushed apart, &gt; 0; CN_DEFAULT (default): 3 x length unit</summary>
+		/// <summary>greatest speed at which the overlap of two shapes is pushed apart, &gt; 0; in a crowd the speeds of
+		/// neighbours add up: n bodies made in one spot leave it at some sqrt(n) / 2 times as much, at most;
+		/// CN_DEFAULT (default): 3 x length unit</summary>
 		public float PushSpeedMaxMps;
 		/// <summary>faster bodies are slowed to it, &gt; 0; CN_DEFAULT (default): 400 x length unit</summary>
 		public float LinearSpeedMaxMps;

@@ -250,6 +250,11 @@ void cni_body_update_mass(cn_world *world, int32_t body);
  * (cni_body_masses_settle).
  */
 void cni_body_shapes_changed(cn_world *world, int32_t body, int32_t added);
+/* Before a shape of the body is unlinked or changes. Returns 1 if the body's numbers are those of its other shapes now; otherwise they must be
+   computed when the shape has gone or changed. */
+int32_t cni_body_shape_leaves(cn_world *world, int32_t body, int32_t shape);
+/* After the shape has changed; left: what cni_body_shape_leaves returned before. */
+void cni_body_shape_replaced(cn_world *world, int32_t body, int32_t shape, int32_t left);
 /* Recomputes all that cni_body_shapes_changed has estimated. */
 void cni_body_masses_settle(cn_world *world);
 /* Moves the centre of mass within the body: the origin stays, the material keeps its velocity. */

@@ -1,10 +1,12 @@
 /*
  * model/body_shapes.c - the numbers that a body has from its shapes: mass, centre of mass, inertia, extent, core. They are computed from all
- * shapes, except while shapes are added one by one to a body of many: then they are updated, and computed when the next step begins.
+ * shapes, except while shapes are added to a body of many, removed or changed one by one: then they are updated, and computed when the next
+ * step begins.
  */
 #include "model/world.h"
 
 #include <float.h>
+#include <string.h>
 
 #define MASSES_KEPT 4
 
@@ -107,6 +109,8 @@ void cni_body_update_mass(cn_world *world, int32_t body)
 	cni_body_refresh_motion(world, b);
 }
 
+static int32_t has_mass_of_shapes(const cni_body *b) { return b->type == CN_BODY_DYNAMIC && !(b->flags & CNI_BODY_MASS_OVERRIDE); }
+
 static int32_t has_shapes(const cn_world *world, const cni_body *b, int32_t least)
 {
 	int32_t shape = b->shape_first;
@@ -115,7 +119,7 @@ static int32_t has_shapes(const cn_world *world, const cni_body *b, int32_t leas
 	return shape != CNI_NONE;
 }
 
-/* ---- many shapes, added one by one ---- */
+/* ---- many shapes, added, removed or changed one by one ---- */
 
 #define SHAPES_MANY 16
 
@@ -152,14 +156,42 @@ static void mass_add(cn_world *world, cni_body *b, cn_mass_data m)
 	cni_body_set_center(world, b, center);
 }
 
-/* For one more shape. The centre has moved from an earlier place; rounding must not make the extent too small. */
+static int32_t exponent_of(float x)
+{
+	uint32_t bits;
+	memcpy(&bits, &x, sizeof bits);
+	return (int32_t)(bits >> 23);
+}
+
+/* Mass, centre and inertia of the body without one of its parts. Returns 0, and changes nothing, where mass or inertia falls below a power
+   of two: what is subtracted from leaves its rounding error to the rest, so all is computed anew each time that about half is gone. */
+static int32_t mass_subtract(cn_world *world, cni_body *b, cn_mass_data m)
+{
+	float rest = b->mass - m.mass_kg, inertia;
+	cni_vec2 center;
+	if (!(rest > 0.0f) || exponent_of(rest) != exponent_of(b->mass))
+		return 0;
+	center = cni_madd(b->local_center, -m.mass_kg / rest, cni_sub(m.center_m, b->local_center));
+	inertia = b->inertia - m.inertia_kgm2 - m.mass_kg * cni_distance_sq(m.center_m, b->local_center) - rest * cni_distance_sq(b->local_center, center);
+	if (!(inertia > 0.0f) || exponent_of(inertia) != exponent_of(b->inertia))
+		return 0;
+	b->mass = rest;
+	b->inertia = inertia;
+	cni_body_set_center(world, b, center);
+	return 1;
+}
+
+/* The centre has moved from an earlier place, and g, unless NULL, is one more shape. Rounding must not make the extent too small. */
 static void measure_add(const cn_world *world, cni_body *b, const cni_geometry *g, cni_vec2 earlier)
 {
 	float turn_reach = cni_body_turn_reach(b) + cni_length(cni_sub(b->local_center, earlier));
 	b->extent = (1.0f + 4.0f * FLT_EPSILON) * b->extent - cni_length(earlier);
-	shape_measure(world, b, g);
+	if (g != NULL) {
+		shape_measure(world, b, g);
+		turn_reach = cni_max(turn_reach, shape_turn_reach(b, g));
+	}
 	b->extent += cni_length(b->local_center);
-	b->turn_reach = turn_reach_pack(cni_max(turn_reach, shape_turn_reach(b, g)), b->extent);
+	b->turn_reach = turn_reach_pack(turn_reach, b->extent);
 	cni_body_forget_room(b);
 }
 
@@ -170,7 +202,7 @@ static int32_t estimate_add(cn_world *world, int32_t body, int32_t added)
 	const cni_shape *s = cni_shape_at(world, added);
 	const cni_geometry *g = cni_shape_geometry(&world->blocks, s);
 	cni_vec2 earlier = b->local_center;
-	int32_t sums = b->type == CN_BODY_DYNAMIC && !(b->flags & CNI_BODY_MASS_OVERRIDE);
+	int32_t sums = has_mass_of_shapes(b);
 	if (!has_shapes(world, b, SHAPES_MANY) || (sums && b->inertia <= 0.0f))
 		return 0;
 	estimated_list_add(world, body);
@@ -180,6 +212,30 @@ static int32_t estimate_add(cn_world *world, int32_t body, int32_t added)
 	cni_readback_store(world, body);
 	cni_body_refresh_motion(world, b);
 	return 1;
+}
+
+int32_t cni_body_shape_leaves(cn_world *world, int32_t body, int32_t shape)
+{
+	cni_body *b = cni_body_at(world, body);
+	const cni_shape *s = cni_shape_at(world, shape);
+	cni_vec2 earlier = b->local_center;
+	if (b->type == CN_BODY_STATIC || !has_shapes(world, b, SHAPES_MANY))
+		return 0;
+	if (has_mass_of_shapes(b) && !mass_subtract(world, b, cni_geometry_mass(cni_shape_geometry(&world->blocks, s), s->density)))
+		return 0;
+	estimated_list_add(world, body);
+	measure_add(world, b, NULL, earlier);
+	cni_readback_store(world, body);
+	cni_body_refresh_motion(world, b);
+	return 1;
+}
+
+void cni_body_shape_replaced(cn_world *world, int32_t body, int32_t shape, int32_t left)
+{
+	if (left || cni_body_at(world, body)->type == CN_BODY_STATIC)
+		cni_body_shapes_changed(world, body, shape);
+	else
+		cni_body_update_mass(world, body);
 }
 
 void cni_body_shapes_changed(cn_world *world, int32_t body, int32_t added)

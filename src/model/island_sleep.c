@@ -163,8 +163,9 @@ void cni_shape_wake_met(cn_world *world, int32_t shape)
 {
 	const cni_shape *s = cni_shape_at(world, shape);
 	int32_t child;
-	if (cni_shape_children(&world->blocks, s) > 1) /* otherwise each of many searches would test each of many moved boxes */
-		world->broadphase_ops->settle(world->broadphase);
+	if (world->awake_count - 1 == world->movable_count) /* nobody sleeps */
+		return;
+	world->broadphase_ops->settle(world->broadphase); /* otherwise each of many searches would test each of many moved boxes */
 	for (child = 0; child < cni_shape_children(&world->blocks, s); ++child) {
 		int32_t proxy = cni_shape_proxy(world, s, child);
 		cni_aabb box;

@@ -118,6 +118,9 @@ CNI_TUNING_FLOAT(CNI_CORE_INNER_DEPTH_PART, 0.95f)
 /* Part of the core's depth within which it is stopped, half as much again with the tolerance. A sliding shape whose contacts yield by
    CNI_CORE_SAG_PER_SLOP stays clear of edges that are flush with its ground. */
 CNI_TUNING_FLOAT(CNI_CORE_CLEAR_PART, 0.2f)
+/* Part of the inner radius. Bodies that move farther in a step, or overlap more with static ones, are checked: either alone leaves the core,
+   half as large, clear. */
+CNI_TUNING_FLOAT(CNI_CORE_NEAR_PART, 0.25f)
 /* Radians in a step. For larger turns continuous collision does not use the short test. */
 CNI_TUNING_FLOAT(CNI_CORE_TURN_MAX_RAD, 1.0f)
 

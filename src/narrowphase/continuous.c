@@ -1,8 +1,9 @@
 /*
  * narrowphase/continuous.c - continuous collision: the last guard against tunnelling (part of stage 8).
  *
- * Speculative contacts of the narrowphase stop most fast bodies. Bodies that became fast within the step remain. Before a body
- * moves by more than a quarter of its inner radius, the core of each of its shapes (the shape shrunk by half its inner radius)
+ * Speculative contacts of the narrowphase stop most fast bodies. Bodies that became fast within the step remain, and bodies that
+ * others press deep into static ones (deep_bodies.c). Before such a body
+ * moves, or any by more than a quarter of its inner radius, the core of each of its shapes (the shape shrunk by half its inner radius)
  * is swept along the body's path against the static shapes there (for bullets: against all shapes, each on its own path). At the
  * time of impact the body gives up the rest of its path for this step; so does a dynamic body that a bullet hits.
  * Bodies without static shapes near them, which the narrowphase marked, are skipped. Bodies whose path stays inside their fat
@@ -18,6 +19,7 @@
  * Reads bodies, shapes, the broadphase; writes the position changes of stopped bodies, and the velocities of sliding ones.
  */
 #include "narrowphase/narrowphase.h"
+#include "narrowphase/deep_bodies.h"
 #include "collision/distance.h"
 #include "collision/toi.h"
 #include "model/solve.h"
@@ -38,7 +40,7 @@ enum {
 /* Does the body move far enough in this step to tunnel? */
 static int32_t body_is_fast(const cni_body *b, const cni_motion *m)
 {
-	float most = 0.25f * b->core, turn = m->theta * cni_body_turn_reach(b);
+	float most = CNI_CORE_NEAR_PART * b->core, turn = m->theta * cni_body_turn_reach(b);
 	return b->type == CN_BODY_DYNAMIC && m->dpx * m->dpx + m->dpy * m->dpy + turn * turn > most * most;
 }
 
@@ -361,6 +363,8 @@ static void clamp_slide_or_end(clamp *c)
 		clamp_find(c, c->world, cni_awake_ids(c->world)[c->body->awake], c->targets);
 	}
 	clamp_end(c);
+	if (cni_motion_keep_finite(m)) /* sliding along may overflow where the path is near the limits of float */
+		(void)cni_atomic_add(&c->world->bodies_stopped, 1u);
 }
 
 static void clamp_body(cn_world *world, int32_t body, int32_t targets)
@@ -466,22 +470,23 @@ static int32_t path_is_inside_boxes(const cn_world *world, const cni_body *b, co
 
 typedef struct check_loop {
 	cn_world *world;
-	uint32_t bullets; /* number of fast, deferred ones */
+	int32_t without_boxes; /* the boxes were not made for these paths */
+	uint32_t bullets;      /* number of fast, deferred ones */
 } check_loop;
 
-/* Checks a fast body. Bullets depend on the paths of others, so they are deferred until all other paths are final. */
-static void body_check(check_loop *loop, int32_t body, const cni_motion *m)
+/* Checks a fast or deep body. Fast bullets depend on the paths of others, so they are deferred until all other paths are final. */
+static void body_check(check_loop *loop, int32_t body, const cni_motion *m, int32_t fast)
 {
 	cn_world *world = loop->world;
 	const cni_body *b = cni_body_at(world, body);
-	if (b->flags & CN_BODY_BULLET) {
+	if (fast && (b->flags & CN_BODY_BULLET)) {
 		cni_externals(world)[b->awake].flags |= CNI_EXTERNAL_DEFERRED;
 		(void)cni_atomic_add(&loop->bullets, 1);
 		return;
 	}
 	if (world->movable_count == world->body_handles.count)
 		return; /* the world has no static body */
-	if ((world->pairs_may_repeat & ~CNI_PAIRS_CROWDED) || !path_is_inside_boxes(world, b, m))
+	if (loop->without_boxes || (world->pairs_may_repeat & ~CNI_PAIRS_CROWDED) || !path_is_inside_boxes(world, b, m))
 		clamp_body(world, body, CLAMP_STATIC);
 	else if (b->flags & CNI_BODY_AT_STATIC)
 		clamp_against_contacts(world, body);
@@ -501,13 +506,17 @@ static void check_range(void *context, int32_t begin, int32_t end, int32_t worke
 	const cn_world *world = loop->world;
 	const int32_t *ids = cni_awake_ids(world);
 	const cni_motion *motions = cni_motions(world);
-	int32_t k, many = world->awake_count > RECORDS_MANY;
+	cni_external *externals = cni_externals(world);
+	int32_t k, fast, many = world->awake_count > RECORDS_MANY;
 	(void)worker;
 	for (k = begin + 1; k <= end; ++k) {
 		if (many && k + RECORDS_AHEAD <= end)
 			record_prefetch(world, ids[k + RECORDS_AHEAD]);
-		if (body_is_fast(cni_body_at(world, ids[k]), &motions[k]))
-			body_check(loop, ids[k], &motions[k]);
+		fast = body_is_fast(cni_body_at(world, ids[k]), &motions[k]);
+		if (fast || (externals[k].flags & CNI_EXTERNAL_DEFERRED)) {
+			externals[k].flags &= ~(uint32_t)CNI_EXTERNAL_DEFERRED;
+			body_check(loop, ids[k], &motions[k], fast);
+		}
 	}
 }
 
@@ -529,7 +538,8 @@ static void bullets_check(cn_world *world)
 /* A user's filter runs in the calling thread only. */
 void cni_stage_continuous(cn_world *world)
 {
-	check_loop loop = { world, 0 };
+	check_loop loop = { world, world->settings.solver == CN_SOLVER_SEQUENTIAL, 0 };
+	cni_deep_bodies_mark(world);
 	cni_team_for(world->filter != NULL ? NULL : world->team, world->awake_count - 1, BODIES_A_RANGE, check_range, &loop);
 	if (loop.bullets > 0)
 		bullets_check(world);

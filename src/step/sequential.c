@@ -10,13 +10,18 @@
  *    5 broadphase         new pairs                               11 velocity limit
  *    6 narrowphase        manifolds                               12 sleep
  *
+ * Beyond the paper, the continuous collision of the soft step guards the moves of 2 and 8, and bodies that 8 pushed deep into static ones
+ * come out again: neighbours would push bodies through the ground.
+ *
  * Its weaknesses are known and kept, so that they can be measured: it solves each contact once and alone, so a load does not
  * pass through a stack in one step (stacks sink and creep), and joints stretch under load.
  *
  * Reads and writes the same data as the stages of the soft step: motion, bodies, lanes (through the narrowphase).
  */
 #include "step/stages.h"
+#include "narrowphase/narrowphase.h"
 #include "joints/joints.h"
+#include "model/tuning.h"
 #include "step/sequential.h"
 
 /* ---- 1, 2: motion ---- */
@@ -42,6 +47,13 @@ void cni_sequential_velocities(cn_world *world, const cni_solve *s)
 	}
 }
 
+/* Neither the motion nor what pushes overlaps apart takes a body through static ones. */
+void cni_sequential_guard(cn_world *world)
+{
+	if (CNI_HAS_CONTINUOUS && (world->settings.flags & CN_WORLD_CONTINUOUS))
+		cni_stage_continuous(world);
+}
+
 void cni_sequential_positions(cn_world *world, const cni_solve *s)
 {
 	cni_motion *motions = cni_motions(world);
@@ -52,6 +64,7 @@ void cni_sequential_positions(cn_world *world, const cni_solve *s)
 		motions[k].theta = s->dt * motions[k].w;
 		world->bodies_stopped += cni_motion_keep_finite(&motions[k]); /* gravity times its scale may overflow */
 	}
+	cni_sequential_guard(world);
 	cni_poses_take(world);
 }
 
@@ -152,17 +165,25 @@ void cni_sequential_velocity_response(cn_world *world, const cni_solve *s)
 
 /* ---- 8: position response ---- */
 
-/* Moves bodies out of the overlap along the normal: half each for two dynamic bodies, the whole for one. */
-static void lane_separate(cn_world *world, int32_t slot, float threshold)
+/* Overlap after the moves so far. */
+static float lane_depth(const cn_world *world, int32_t slot)
+{
+	const cni_contact_block *k = cni_block_at(world, slot / CNI_LANES);
+	int32_t l = slot % CNI_LANES;
+	const cni_motion *a = cni_motions(world) + k->ia[l], *b = cni_motions(world) + k->ib[l];
+	float deepest = cni_min(k->p[0].nm[l] > 0.0f ? k->p[0].s0[l] : 0.0f, k->p[1].nm[l] > 0.0f ? k->p[1].s0[l] : 0.0f);
+	float moved = (b->dpx - a->dpx) * k->nx[l] + (b->dpy - a->dpy) * k->ny[l];
+	return -(deepest + moved);
+}
+
+/* Moves bodies that overlap by more than least out of the overlap along the normal: half each for two dynamic bodies, the whole for one. */
+static void lane_separate(cn_world *world, int32_t slot, float least)
 {
 	const cni_contact_block *k = cni_block_at(world, slot / CNI_LANES);
 	int32_t l = slot % CNI_LANES;
 	cni_motion *a = cni_motions(world) + k->ia[l], *b = cni_motions(world) + k->ib[l];
-	float deepest = cni_min(k->p[0].nm[l] > 0.0f ? k->p[0].s0[l] : 0.0f, k->p[1].nm[l] > 0.0f ? k->p[1].s0[l] : 0.0f);
-	float moved = (b->dpx - a->dpx) * k->nx[l] + (b->dpy - a->dpy) * k->ny[l];
-	float depth = -(deepest + moved), share = b->inv_mass > 0.0f && a->inv_mass > 0.0f ? 0.5f : 1.0f;
-	(void)threshold;
-	if (depth <= 0.0f)
+	float depth = lane_depth(world, slot), share = b->inv_mass > 0.0f && a->inv_mass > 0.0f ? 0.5f : 1.0f;
+	if (depth <= least)
 		return;
 	if (a->inv_mass > 0.0f) {
 		a->dpx -= share * depth * k->nx[l];
@@ -174,9 +195,21 @@ static void lane_separate(cn_world *world, int32_t slot, float threshold)
 	}
 }
 
+/* No neighbour has the last word over what is static: bodies that were pushed deep into it come out again. Others may give way, as in the
+   paper. */
+static void lane_hold(cn_world *world, int32_t slot, float unused)
+{
+	const cni_contact_block *k = cni_block_at(world, slot / CNI_LANES);
+	int32_t l = slot % CNI_LANES;
+	(void)unused;
+	if (k->ib[l] == 0)
+		lane_separate(world, slot, CNI_CORE_NEAR_PART * cni_body_at(world, cni_awake_ids(world)[k->ia[l]])->core);
+}
+
 void cni_sequential_position_response(cn_world *world)
 {
 	lanes_run(world, lane_separate, 0.0f);
+	lanes_run(world, lane_hold, 0.0f);
 }
 
 /* ---- 3, 9: constraints and joints ---- */

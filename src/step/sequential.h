@@ -8,6 +8,8 @@
 
 void cni_sequential_velocities(cn_world *world, const cni_solve *s);
 void cni_sequential_positions(cn_world *world, const cni_solve *s);
+/* Before poses move: the continuous collision of the soft step, so that nothing is pushed through static bodies. */
+void cni_sequential_guard(cn_world *world);
 void cni_sequential_velocity_response(cn_world *world, const cni_solve *s);
 void cni_sequential_position_response(cn_world *world);
 /* Constraints on a single body, before contacts; joints between bodies after them. */

@@ -242,6 +242,7 @@ static int32_t step_sequential(cn_world *world, float dt, uint64_t *mark)
 	cni_sequential_velocity_response(world, &s);               /* 7 */
 	cni_impulse_sums_close(world, &s);
 	cni_sequential_position_response(world);                   /* 8 */
+	cni_sequential_guard(world);
 	if (has_joints(world))
 		cni_sequential_joints(world, &s);                  /* 9 */
 	profile_mark(world, &profile->substeps_s, mark);

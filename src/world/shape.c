@@ -32,11 +32,13 @@ cn_result cn_shape_attach(cn_world *world, cn_shape shape, cn_body body)
 /* Detaches a shape from its body. Requires cni_contact_reserve_end. */
 static void shape_leave_body(cn_world *world, int32_t shape)
 {
-	int32_t body = cni_shape_at(world, shape)->body;
+	int32_t body = cni_shape_at(world, shape)->body, left;
 	cni_body_wake(world, body);
 	cni_shape_unplace(world, shape);
+	left = cni_body_shape_leaves(world, body, shape);
 	cni_shape_unlink(world, shape);
-	cni_body_shapes_changed(world, body, CNI_NONE);
+	if (!left)
+		cni_body_shapes_changed(world, body, CNI_NONE);
 }
 
 static void reserve_leave(cni_call *call, cn_world *world, const cni_shape *s)
@@ -129,14 +131,17 @@ cn_result cn_shape_set_density(cn_world *world, cn_shape shape, float density_kg
 {
 	cni_call call = cni_enter(world, __func__);
 	cni_shape *s = cni_check_shape(&call, "shape", shape);
+	int32_t left;
 	cni_check_at_least(&call, "density_kgpm2", density_kgpm2, 0.0f);
 	if (call.result == CN_OK)
 		cni_check_shape_mass(&call, cni_geometry_mass(cni_shape_geometry(&world->blocks, s), density_kgpm2));
 	if (call.result != CN_OK)
 		return call.result;
+	left = s->body != CNI_NONE && cni_body_shape_leaves(world, s->body, cni_shape_index(world, shape));
 	s->density = density_kgpm2;
 	if (s->body != CNI_NONE) {
-		cni_body_update_mass(world, s->body);
+		if (cni_body_at(world, s->body)->type != CN_BODY_STATIC)
+			cni_body_shape_replaced(world, s->body, cni_shape_index(world, shape), left);
 		cni_body_wake(world, s->body);
 	}
 	return CN_OK;

@@ -23,11 +23,11 @@ static void wake_all(cn_world *world, int32_t shape)
 	cni_body_wake(world, body);
 }
 
-/* After the new geometry is in place: mass, waking. */
-static void body_update(cn_world *world, int32_t shape)
+/* After the new geometry is in place: mass, waking. left: see cni_body_shape_replaced. */
+static void body_update(cn_world *world, int32_t shape, int32_t left)
 {
 	int32_t body = cni_shape_at(world, shape)->body;
-	cni_body_shapes_changed(world, body, shape);
+	cni_body_shape_replaced(world, body, shape, left);
 	cni_shape_wake_met(world, shape);
 	cni_body_at(world, body)->flags |= CNI_BODY_AGAIN;
 	world->pairs_may_repeat |= CNI_PAIRS_MARKED;
@@ -80,7 +80,7 @@ static cn_result single_change(cni_call *call, cn_world *world, cn_shape shape, 
 {
 	static const cni_transform identity = { { 1.0f, 0.0f }, { 0.0f, 0.0f } };
 	small_geometry fresh;
-	int32_t index = cni_shape_index(world, shape);
+	int32_t index = cni_shape_index(world, shape), left;
 	cni_shape *s;
 	cni_ref ref;
 	check_change(call, shape, &from);
@@ -95,11 +95,12 @@ static cn_result single_change(cni_call *call, cn_world *world, cn_shape shape, 
 		return call->result;
 	if (s->body != CNI_NONE)
 		wake_all(world, index);
+	left = s->body != CNI_NONE && cni_body_shape_leaves(world, s->body, index);
 	cni_shape_set_piece(world, index, ref, &fresh.head);
 	if (s->body == CNI_NONE)
 		return CN_OK;
 	contacts_update(world, index);
-	body_update(world, index);
+	body_update(world, index, left);
 	return CN_OK;
 }
 
@@ -127,7 +128,7 @@ static cn_result chain_change(cni_call *call, cn_world *world, cn_shape shape, c
 		cni_blocks_free(&world->blocks, ref, bytes);
 	} else if (s->body != CNI_NONE) {
 		cni_body_wake(world, s->body);
-		body_update(world, index);
+		body_update(world, index, 1); /* a chain has no mass */
 	}
 	return call->result;
 }

@@ -888,9 +888,9 @@ static const arch_scene arch_scenes[ARCH_SCENES] = {
 	{ "joints", scene_joints, 0x57a746ac8a36cddf },
 	{ "direct", scene_direct, 0xcb1eb9674c812141 },
 	{ "tiers", scene_tiers, 0x4eb563300105c5fd },
-	{ "sequential", scene_sequential, 0x14673e5a64320f7c },
+	{ "sequential", scene_sequential, 0x746ccf2319ea4fb2 },
 	{ "queries", scene_queries, 0x9078b2fad7e8282c },
-	{ "events", scene_events, 0xaf4feece2a125d81 },
+	{ "events", scene_events, 0x56159360279631e8 },
 	{ "file", scene_file, 0x18ee8fbee35db15e },
 };
 

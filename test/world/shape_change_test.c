@@ -228,6 +228,82 @@ static void random_changes_keep_the_world_valid(void)
 	}
 }
 
+/* ---- mass between steps ---- */
+
+typedef struct compound {
+	cn_world *world;
+	cn_body body;
+	cn_shape shapes[400];
+	int32_t count;
+	uint32_t random;
+} compound;
+
+static float any(compound *c, float lower, float upper) { return fixture_random(&c->random, lower, upper); }
+
+static void compound_add(compound *c)
+{
+	cn_shape_def def = fixture_shape_def(c->body, 0.5f, 0.0f);
+	def.offset_m.x = any(c, -50.0f, 50.0f);
+	def.offset_m.y = any(c, -20.0f, 60.0f);
+	def.density_kgpm2 = any(c, 0.01f, 100.0f);
+	c->shapes[c->count++] = fixture_box_shape(c->world, &def, any(c, 0.1f, 3.0f), 0.5f);
+}
+
+/* Removes, or changes geometry or density. */
+static void compound_change(compound *c)
+{
+	int32_t k = (int32_t)any(c, 0.0f, (float)c->count - 0.01f), what = (int32_t)any(c, 0.0f, 5.99f);
+	cn_polygon box;
+	if (what == 0) {
+		must(cn_shape_set_density(c->world, c->shapes[k], any(c, 0.01f, 100.0f)), c->world, "cn_shape_set_density");
+	} else if (what == 1) {
+		must(cn_polygon_make_box(any(c, 0.1f, 3.0f), 0.4f, any(c, -50.0f, 50.0f), any(c, -20.0f, 60.0f), 0.0f, 0.0f, &box), NULL, "cn_polygon_make_box");
+		must(cn_shape_set_polygon(c->world, c->shapes[k], &box), c->world, "cn_shape_set_polygon");
+	} else {
+		must(cn_shape_destroy(c->world, c->shapes[k]), c->world, "cn_shape_destroy");
+		c->shapes[k] = c->shapes[--c->count];
+	}
+}
+
+static cn_mass_data mass_of(const compound *c)
+{
+	cn_mass_data m;
+	must(cn_body_get_mass_data(c->world, c->body, &m), c->world, "cn_body_get_mass_data");
+	return m;
+}
+
+/* Sums are updated shape by shape between steps, and computed from all shapes when a step begins. Without the next step they must be as good. */
+static void the_mass_is_that_of_all_shapes_between_steps(void)
+{
+	static compound c;
+	double mass = 0.0, inertia = 0.0, center = 0.0;
+	int32_t k;
+	memset(&c, 0, sizeof c);
+	c.random = 77u;
+	c.world = fixture_world(0.0f, 0);
+	c.body = fixture_body(c.world, CN_BODY_DYNAMIC, 0.0f, 0.0f, 0.0f);
+	for (k = 0; k < 3000; ++k) {
+		cn_mass_data before, exact;
+		if (c.count < 10 || (c.count < 400 && any(&c, 0.0f, 1.0f) < (k / 500 % 2 ? 0.1f : 0.7f)))
+			compound_add(&c);
+		else
+			compound_change(&c);
+		if (k % 50 != 0)
+			continue;
+		before = mass_of(&c);
+		fixture_step(c.world, 1);
+		exact = mass_of(&c);
+		mass = greater(mass, fabs((double)before.mass_kg / (double)exact.mass_kg - 1.0));
+		inertia = greater(inertia, fabs((double)before.inertia_kgm2 / (double)exact.inertia_kgm2 - 1.0));
+		center = greater(center, hypot((double)(before.center_m.x - exact.center_m.x), (double)(before.center_m.y - exact.center_m.y)));
+	}
+	CHECK_LE("relative error of the mass", mass, ROUNDING, "");
+	CHECK_LE("relative error of the inertia", inertia, 10.0 * ROUNDING, "");
+	CHECK_LE("error of the centre, part of the extent", center / 60.0, ROUNDING, "");
+	CHECK(fixture_is_valid(c.world));
+	cn_world_destroy(c.world);
+}
+
 int main(int argc, char **argv)
 {
 	test_begin(argc, argv);
@@ -235,5 +311,6 @@ int main(int argc, char **argv)
 	RUN(a_ball_that_grows_keeps_its_contact);
 	RUN(sleeping_bodies_notice_the_change);
 	RUN(random_changes_keep_the_world_valid);
+	RUN(the_mass_is_that_of_all_shapes_between_steps);
 	return test_end();
 }

@@ -383,7 +383,9 @@ pub struct cn_world_def {
     pub work_budget: i32,
     /// slower impacts do not bounce, >= 0; CN_DEFAULT (default): 1 x length unit
     pub restitution_threshold_mps: f32,
-    /// greatest speed at which overlaps are pushed apart, > 0; CN_DEFAULT (default): 3 x length unit
+    /// greatest speed at which the overlap of two shapes is pushed apart, > 0; in a crowd the speeds of
+    /// neighbours add up: n bodies made in one spot leave it at some sqrt(n) / 2 times as much, at most;
+    /// CN_DEFAULT (default): 3 x length unit
     pub push_speed_max_mps: f32,
     /// faster bodies are slowed to it, > 0; CN_DEFAULT (default): 400 x length unit
     pub linear_speed_max_mps: f32,

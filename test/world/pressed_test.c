@@ -1,0 +1,195 @@
+/*
+ * test/world/pressed_test.c - promises of bodies that others press together: no dynamic body's centre passes through a static face,
+ * whatever pushes it (a crowd made in one spot, too little room, a crusher) and whatever the solver, and bodies made in one spot leave it at
+ * the push speed between neighbours.
+ *
+ * If a test fails, look in narrowphase/deep_bodies.c, continuous.c (the guard), step/sequential.c (what is held). `pressed_test t_soak` runs
+ * more seeds (make soak).
+ */
+#include "fixture.h"
+
+#define BODIES_MOST 1600
+#define FAR_M 1e6f
+
+typedef struct place {
+	cn_world *world;
+	cn_body bodies[BODIES_MOST];
+	int32_t count;
+	float half, top;  /* the room in which centres stay: |x| <= half, 0 <= y <= top */
+	uint32_t random;
+	double fastest;
+} place;
+
+static float draw(place *p, float lower, float upper) { return fixture_random(&p->random, lower, upper); }
+
+static void place_open(place *p, int32_t solver, uint32_t seed, float gravity)
+{
+	memset(p, 0, sizeof *p);
+	p->random = seed * 2654435761u | 1u;
+	p->half = p->top = FAR_M;
+	p->world = fixture_world(gravity, 1);
+	must(cn_world_set_solver(p->world, solver), p->world, "cn_world_set_solver");
+}
+
+/* kinds 0: boxes of 1 m, 1: balls, 2: boxes and balls of 0.4 to 1.2 m */
+static void body_add(place *p, int32_t kinds, float x, float y)
+{
+	float size = kinds == 2 ? draw(p, 0.2f, 0.6f) : 0.5f;
+	int32_t round = kinds == 1 || (kinds == 2 && draw(p, 0.0f, 1.0f) < 0.5f);
+	p->bodies[p->count++] = round ? fixture_circle(p->world, CN_BODY_DYNAMIC, x, y, size, 0.5f, 0.0f)
+	                              : fixture_box(p->world, CN_BODY_DYNAMIC, x, y, kinds == 2 ? 5.0f * size : 0.0f, size, kinds == 2 ? draw(p, 0.2f, 0.6f) : size, 0.5f, 0.0f);
+}
+
+static int32_t is_inside(const place *p, const cn_pose *pose)
+{
+	double x = (double)pose->position_m.x, y = (double)pose->position_m.y;
+	return fabs(x) <= (double)p->half && y >= 0.0 && y <= (double)p->top; /* not with a number that is none */
+}
+
+/* Steps, and counts the bodies whose centre has left the room. */
+static int32_t place_run(place *p, int32_t steps)
+{
+	int32_t k, left = 0;
+	for (; steps > 0 && left == 0; --steps) {
+		fixture_step(p->world, 1);
+		for (k = 0; k < p->count; ++k) {
+			cn_pose pose = fixture_pose(p->world, p->bodies[k]);
+			cn_velocity v = fixture_velocity(p->world, p->bodies[k]);
+			p->fastest = fmax(p->fastest, hypot((double)v.linear_mps.x, (double)v.linear_mps.y));
+			left += !is_inside(p, &pose);
+		}
+	}
+	return left;
+}
+
+static void check_place(place *p, const char *what, uint32_t seed, int32_t steps)
+{
+	int32_t left = place_run(p, steps);
+	printf("  %s, seed %u: %d bodies, fastest %.1f m/s\n", what, (unsigned)seed, (int)p->count, p->fastest);
+	CHECK_LE("bodies outside of static walls", left, 0, "");
+	CHECK(fixture_is_valid(p->world));
+	cn_world_destroy(p->world);
+}
+
+/* Walls of 2 m, and a lid unless top is FAR_M. */
+static void walls_add(place *p, float half, float top)
+{
+	float height = top < FAR_M ? 0.5f * top + 1.0f : 100.0f;
+	p->half = half;
+	p->top = top;
+	fixture_box(p->world, CN_BODY_STATIC, -half - 1.0f, height - 1.0f, 0.0f, 1.0f, height + 1.0f, 0.5f, 0.0f);
+	fixture_box(p->world, CN_BODY_STATIC, half + 1.0f, height - 1.0f, 0.0f, 1.0f, height + 1.0f, 0.5f, 0.0f);
+	if (top < FAR_M)
+		fixture_box(p->world, CN_BODY_STATIC, 0.0f, top + 1.0f, 0.0f, half + 2.0f, 1.0f, 0.5f, 0.0f);
+}
+
+static void ground_add(place *p) { fixture_box(p->world, CN_BODY_STATIC, 0.0f, -1.0f, 0.0f, 1000.0f, 1.0f, 0.5f, 0.0f); }
+
+/* A crowd in one spot of a pit, which is closed and too small in every second seed. */
+static void pit(int32_t solver, uint32_t seed, int32_t most, int32_t steps)
+{
+	static place p;
+	int32_t kinds = (int32_t)(seed % 3), closed = (int32_t)(seed & 1), k, count;
+	float half, spread;
+	place_open(&p, solver, seed, -10.0f);
+	count = (int32_t)draw(&p, 0.3f * (float)most, (float)most);
+	half = closed ? draw(&p, 3.0f, 0.4f * sqrtf((float)count)) : draw(&p, 5.0f, 20.0f);
+	spread = draw(&p, 0.0f, 0.4f * half);
+	ground_add(&p);
+	walls_add(&p, half, closed ? 2.0f * half : FAR_M);
+	for (k = 0; k < count; ++k)
+		body_add(&p, kinds, draw(&p, -spread, spread), half + draw(&p, -spread, spread));
+	check_place(&p, closed ? "closed pit" : "pit", seed, steps);
+}
+
+/* A plate that comes down on a heap, to where even one layer has no room, and stays there. */
+static void crusher(int32_t solver, uint32_t seed, int32_t most, int32_t steps)
+{
+	static place p;
+	int32_t kinds = (int32_t)(seed % 3), columns, k, count, left = 0;
+	float half, speed, bottom = 0.6f;
+	cn_body plate;
+	place_open(&p, solver, seed, -10.0f);
+	count = (int32_t)draw(&p, 0.3f * (float)most, (float)most);
+	columns = (int32_t)draw(&p, 10.0f, 30.0f);
+	half = draw(&p, 0.3f, 1.5f) * (float)columns;
+	speed = draw(&p, 2.0f, 10.0f);
+	ground_add(&p);
+	for (k = 0; k < count; ++k)
+		body_add(&p, kinds, (float)(k % columns) - 0.5f * (float)columns, 0.5f + (float)(k / columns));
+	plate = fixture_box(p.world, CN_BODY_KINEMATIC, 0.0f, (float)(count / columns) + 3.0f, 0.0f, half, 1.0f, 0.5f, 0.0f);
+	for (k = 0; k < steps / 10; ++k) {
+		float way = fixture_pose(p.world, plate).position_m.y - 1.0f - bottom;
+		fixture_set_velocity(p.world, plate, 0.0f, way > 0.0f ? -fminf(speed, 6.0f * way) : 0.0f, 0.0f);
+		left += place_run(&p, 10);
+	}
+	CHECK_LE("bodies under the ground", left, 0, "");
+	check_place(&p, "crusher", seed, 10);
+}
+
+/* Over the ground alone. */
+static void open_crowd(int32_t solver, uint32_t seed, int32_t most, int32_t steps)
+{
+	static place p;
+	int32_t k, count;
+	place_open(&p, solver, seed, -10.0f);
+	count = (int32_t)draw(&p, 0.3f * (float)most, (float)most);
+	ground_add(&p);
+	for (k = 0; k < count; ++k)
+		body_add(&p, (int32_t)(seed % 3), draw(&p, -0.1f, 0.1f), draw(&p, 0.5f, 2.0f));
+	check_place(&p, "crowd", seed, steps);
+}
+
+typedef void scene(int32_t solver, uint32_t seed, int32_t most, int32_t steps);
+
+/* CN_SOLVER_DIRECT takes 0.1 s a step for 200 entangled bodies. */
+static void all_solvers(scene *run, uint32_t seeds, int32_t most, int32_t steps)
+{
+	static const int32_t solvers[4] = { CN_SOLVER_AUTO, CN_SOLVER_SEQUENTIAL, CN_SOLVER_SOFT, CN_SOLVER_DIRECT };
+	uint32_t seed;
+	for (seed = 1; seed <= seeds; ++seed) {
+		int32_t solver = solvers[seed / 2 % 4];
+		run(solver, seed, solver == CN_SOLVER_DIRECT ? most / 8 : most, steps);
+	}
+}
+
+static void t_nothing_leaves_a_pit(void) { all_solvers(pit, 8, 200, 80); }
+static void t_nothing_is_crushed_into_the_ground(void) { all_solvers(crusher, 8, 150, 400); }
+static void t_a_crowd_stays_above_the_ground(void) { all_solvers(open_crowd, 6, 150, 90); }
+static void t_soak_pits(void) { all_solvers(pit, 48, 1500, 400); }
+static void t_soak_crushers(void) { all_solvers(crusher, 48, 1000, 1200); }
+static void t_soak_open_crowds(void) { all_solvers(open_crowd, 24, 1000, 600); }
+
+/*
+ * Neighbours are pushed apart at the push speed at most (3 m/s). n bodies in one spot come apart to a disc with sqrt(n) / 2 layers from the
+ * middle to the border, half as many again where small ones are among them. The outermost are at most so many times faster than the middle;
+ * one more for what shapes turn.
+ */
+static void t_a_crowd_leaves_at_the_push_speed_of_its_layers(void)
+{
+	static place p;
+	uint32_t seed;
+	for (seed = 1; seed <= 11; ++seed) {
+		int32_t count = 2 << seed / 2, k;
+		place_open(&p, seed % 4 == 3 ? CN_SOLVER_SOFT : CN_SOLVER_AUTO, seed, 0.0f);
+		for (k = 0; k < count; ++k)
+			body_add(&p, (int32_t)(seed % 3), draw(&p, -0.05f, 0.05f), FAR_M / 2e3f + draw(&p, -0.05f, 0.05f));
+		CHECK_LE("bodies gone", place_run(&p, 90), 0, "");
+		printf("  %d bodies: ", (int)count);
+		CHECK_LE("fastest body", p.fastest, 3.0 * (1.0 + (seed % 3 == 2 ? 0.75 : 0.5) * sqrt((double)count)), "m/s");
+		cn_world_destroy(p.world);
+	}
+}
+
+int main(int argc, char **argv)
+{
+	test_begin(argc, argv);
+	RUN(t_nothing_leaves_a_pit);
+	RUN(t_nothing_is_crushed_into_the_ground);
+	RUN(t_a_crowd_stays_above_the_ground);
+	RUN(t_a_crowd_leaves_at_the_push_speed_of_its_layers);
+	RUN_WHEN_NAMED(t_soak_pits);
+	RUN_WHEN_NAMED(t_soak_crushers);
+	RUN_WHEN_NAMED(t_soak_open_crowds);
+	return test_end();
+}
