@@ -17,7 +17,7 @@ at_a_time=2
 results=$build/parts
 # The longest first, so that the last two end together; amalgamation and release, which write the same file, apart.
 parts='clang-address cross plain amalgamation clang-memory release helgrind clang-thread native ablation no-fused gcc-O0 no-threads
-	clang-O3 embedded readme work header-cxx header-padding check-links check-docs testbed-web mutations-apply'
+	clang-O3 embedded work header-cxx header-padding check-links check-docs testbed-web mutations-apply'
 
 # ---------------------------------------------------------------- of one part
 
@@ -199,17 +199,6 @@ check_docs() {
 }
 
 # The testbed in a headless browser.
-# The commands of every README, in a copy of the tree: readme.py.
-readme() {
-	if ! command -v python3 >/dev/null 2>&1; then
-		echo "python3 is not installed (see .ci/deps)"
-		add readme 0 0 1
-		return
-	fi
-	python3 test/readme.py "$build" > "$build/readme.log" 2>&1
-	read_log readme $?
-}
-
 testbed_web() {
 	sh test/examples/testbed_web.sh "$build" > "$build/testbed-web.log" 2>&1
 	read_log testbed-web $?
@@ -292,7 +281,6 @@ run_part() {
 		cross) cross ;;
 		no-fused) if [ "$(uname -m)" = x86_64 ]; then check no-fused no_fused_operations; else add no-fused 0 0 1; fi ;;
 		check-docs) check_docs ;;
-		readme) readme ;;
 		testbed-web) testbed_web ;;
 		check-links) check check-links sh test/check_links.sh ;;
 		mutations-apply) check mutations-apply sh test/mutation.sh --check ;;
