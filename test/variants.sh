@@ -253,7 +253,7 @@ threads='base/threads broadphase/broadphase_threads world/threads world/threads_
 bits='world/determinism world/random collision/manifold_batch step/integrate joints/joint_blocks joints/joint_rows
 	narrowphase/cull'
 # What sleeps, wakes, is saved or checked.
-small='world/sleep world/sleep_slow world/wake world/body_state world/events_pair world/validate world/save world/save_delta world/file_hostile
+small='world/sleep world/sleep_slow world/wake world/body_state world/events_pair world/validate save/save save/save_delta save/file_hostile
 	world/memory_block world/calls world/random world/determinism'
 # What reads and writes each struct of the library at least once.
 calls='base/memory base/arena base/blocks base/table base/handles collision/manifold broadphase/tree collision/cast broadphase/sweep

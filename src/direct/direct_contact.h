@@ -14,13 +14,15 @@
 #define CNI_DIRECT_CONTACT_WORK 48
 
 /*
- * Work of direct/friction_cones.c, in blocks factored of 10 ns. Most that is set aside for it in a step, a pass. An island, a contact: how
- * much it may owe before it is asked again, and what it pays back in a step, which is about what soft constraints take at rest. Of what
- * stands, most need less than this in all: its contacts are found once, and their sets hold from then on. A heap that was poured would
- * take as much in every step, and is no better for it than soft constraints make it: what moves may spend CNI_CONE_MOVED at once when it
- * comes to rest, and saves for more from then on. No pass begins that could not have CNI_CONE_FACTORS_LEAST factorizations. Poured heaps of
- * 10 and 30 bodies took 2.8 and 5.5 times as long as with soft constraints when all might spend CNI_CONE_DEBT at once and paid back 24; now
- * 1.15 and 1.3. Arches that boxes fall on stand as often, 95 of 100.
+ * Work of direct/friction_cones.c, in blocks factored of 10 ns. Most of all contact systems in a step, beyond which a search for a set ends
+ * with its first round and no interior-point method begins but for a relax pass: 40 arches that are struck took 10.9 ms in their slowest
+ * step without it, now 3.1. Most of a pass. An island, a contact: how much it may owe before it is asked again, and what it pays back in a
+ * step, which is about what soft constraints take at rest. Of what stands, most need less than this in all: its contacts are found once,
+ * and their sets hold from then on. A heap that was poured would take as much in every step, and is no better for it than soft
+ * constraints make it: what moves may spend CNI_CONE_MOVED at once when it comes to rest, and saves for more from then on. No pass begins
+ * that could not have CNI_CONE_FACTORS_LEAST factorizations. Poured heaps of 10 and 30 bodies took 2.8 and 5.5 times as long as with soft
+ * constraints when all might spend CNI_CONE_DEBT at once and paid back 24; now 1.15 and 1.3. Arches that boxes fall on stand as often, 95
+ * of 100.
  */
 #define CNI_CONE_WORK 200000
 #define CNI_CONE_PASS_WORK 100000 /* most of one pass, but for CNI_CONE_FACTORS_LEAST: large walls take 5 to 20, heaps that settle 40 to 60 */
@@ -30,14 +32,28 @@
 #define CNI_CONE_FAILED 21000 /* what a failed attempt owes beside its work: 1,500 steps until the next */
 #define CNI_CONE_FACTORS 30 /* that are set aside for a pass */
 #define CNI_CONE_NODE 16 /* blocks: what a contact costs beside one */
+#define CNI_CONE_SOLUTION 4 /* ... and in a solution without one */
 
 static inline int32_t cni_cone_factor_work(const cni_component *c)
 {
 	return c->work + CNI_CONE_NODE * (c->end - c->begin);
 }
 
+static inline void cni_contact_work_count(const cn_world *world, int32_t *sum, int32_t work)
+{
+	if (world->settings.solver == CN_SOLVER_AUTO)
+		*sum += work;
+}
+
+/* 1: the contact systems of this step have spent what they may. A search for a set then ends with its first result. */
+static inline int32_t cni_contact_work_is_spent(const cn_world *world)
+{
+	return world->settings.solver == CN_SOLVER_AUTO && world->cone_work + world->set_work >= CNI_CONE_WORK;
+}
+
 /* Interior-point work that the island has spent, a contact, less its refill since. */
 int32_t cni_cone_debt(const cn_world *world, const cni_island *i);
+void cni_cone_debt_set(const cn_world *world, cni_island *i, int32_t debt);
 /* The island moves: until it has rested for a time it may spend CNI_CONE_MOVED at once. */
 void cni_cone_motion_owes(const cn_world *world, cni_island *i);
 
@@ -119,6 +135,7 @@ typedef struct cni_direct_contact_pass {
 	int32_t warm;          /* 1: starts from the impulses of the last pass, 0: from none */
 	int32_t rounds;        /* limit of the search for a set */
 	int32_t kept;          /* 1: the kept set is acceptable if nothing better is found */
+	int32_t denied;        /* 1: other systems have spent what the step may spend */
 	float before;          /* twice the kinetic energy before the substep's impulses */
 } cni_direct_contact_pass;
 

@@ -269,42 +269,33 @@ static int32_t set_solve(cni_direct_contact_pass *q)
 	return 1;
 }
 
-int32_t cni_cone_debt(const cn_world *world, const cni_island *i)
-{
-	uint32_t passed = world->step_count - i->cone_paid_step;
-	return passed <= (uint32_t)(i->cone_spent / CNI_CONE_REFILL) ? i->cone_spent - (int32_t)passed * CNI_CONE_REFILL : 0;
-}
-
-static void cone_debt_set(const cn_world *world, cni_island *i, int32_t debt)
-{
-	i->cone_spent = debt;
-	i->cone_paid_step = world->step_count;
-}
-
-void cni_cone_motion_owes(const cn_world *world, cni_island *i)
-{
-	cone_debt_set(world, i, cni_max_i(cni_cone_debt(world, i), CNI_CONE_DEBT - CNI_CONE_MOVED));
-}
-
 static int32_t work_a_contact(const cni_direct_contact_pass *q)
 {
 	return cni_cone_factor_work(q->c) / (q->c->end - q->c->begin);
 }
 
-/* 1: the interior-point method may run. Once admitted in a step it may run in all substeps, as long as the island's debt allows. A relax pass
-   takes out the speed of the pushes that the pass before it has made, whatever is owed. */
-static int32_t cone_is_admitted(const cni_direct_contact_pass *q)
+/* 1: the work of the step leaves little for it and its relax pass. The first of a step is never denied. */
+static int32_t is_denied(const cni_direct_contact_pass *q)
 {
-	if (!q->bias && q->c->cone_admitted)
+	const cn_world *world = q->world;
+	return world->cone_work > 0 && world->cone_work + world->set_work + 2 * CNI_CONE_FACTORS_LEAST * cni_cone_factor_work(q->c) > CNI_CONE_WORK;
+}
+
+/* 1: the interior-point method may run, in all substeps as long as the island's debt and the work of the step allow. A relax pass takes out
+   the speed of the pushes that the pass before it has made, whatever is owed. */
+static int32_t cone_is_admitted(cni_direct_contact_pass *q)
+{
+	if (!q->bias && q->c->cone_pushed)
 		return 1;
 	if (q->world->settings.solver == CN_SOLVER_AUTO) {
-		if (was_moving(q) || cni_cone_debt(q->world, q->island) + CNI_CONE_FACTORS_LEAST * work_a_contact(q) > CNI_CONE_DEBT)
+		if (is_large(q) || was_moving(q) || cni_cone_debt(q->world, q->island) + CNI_CONE_FACTORS_LEAST * work_a_contact(q) > CNI_CONE_DEBT)
 			return 0;
-		if (!q->c->cone_admitted && q->world->cone_work + cone_cost(q) > CNI_CONE_WORK)
+		q->denied = is_denied(q);
+		if (q->denied)
 			return 0;
-		q->world->cone_work += q->c->cone_admitted ? 0 : cone_cost(q);
 	}
-	q->c->cone_admitted = 1;
+	q->c->cone_ran = 1;
+	q->c->cone_pushed = q->bias;
 	return 1;
 }
 
@@ -312,7 +303,8 @@ static int32_t cone_is_admitted(const cni_direct_contact_pass *q)
 static void cone_pay(const cni_direct_contact_pass *q, int32_t factors, int32_t good)
 {
 	int32_t work = factors * work_a_contact(q);
-	cone_debt_set(q->world, q->island, cni_cone_debt(q->world, q->island) + (good ? work : CNI_CONE_FAILED + work));
+	cni_contact_work_count(q->world, &q->world->cone_work, factors * cni_cone_factor_work(q->c));
+	cni_cone_debt_set(q->world, q->island, cni_cone_debt(q->world, q->island) + (good ? work : CNI_CONE_FAILED + work));
 }
 
 /* The next passes start from its impulses: starting from none would find redundant ones, some of them negative. */
@@ -347,9 +339,10 @@ static void solution_accept(const cni_direct_contact_pass *q)
 int32_t cni_direct_contacts_solve(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c, int32_t bias)
 {
 	cni_direct_contact_pass q = { world, s, sparse, c, cni_motions(world), NULL, CNI_DIRECT_SPEED_LEAST * world->settings.length_unit,
-		bias, 0, CNI_CONTACT_SET_ROUNDS, !bias, 0.0f };
+		bias, 0, CNI_CONTACT_SET_ROUNDS, !bias, 0, 0.0f };
 	if (!bias && c->nothing_pushed)
 		return 1;
+	c->cone_pushed &= !bias;
 	q.island = cni_island_at(world, cni_awake_island(world, sparse->bodies[c->body_begin]));
 	impulses_scale(&q);
 	state_save(&q, 0);
@@ -364,7 +357,8 @@ int32_t cni_direct_contacts_solve(cn_world *world, const cni_solve *s, cni_spars
 		solution_accept(&q);
 		return 1;
 	}
-	if (q.kept && solve_with_kept_set(&q))
+	c->denied = q.denied || cni_contact_work_is_spent(world);
+	if ((q.kept || (c->denied && c->cone_ran)) && solve_with_kept_set(&q))
 		return 1;
 	soft_state_restore(&q);
 	return 0;

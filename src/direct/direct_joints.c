@@ -137,7 +137,7 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 	s->direct = out;
 	for (k = 0; k < out->component_count; ++k) {
 		out->components[k].has_contacts = component_has_contacts(out, &out->components[k]);
-		out->components[k].cone_admitted = 0;
+		out->components[k].cone_ran = out->components[k].cone_pushed = out->components[k].denied = 0;
 	}
 	for (k = 0; k < out->component_count; ++k) {
 		cni_component *c = &out->components[k];
@@ -166,7 +166,8 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 
 /* ---- impulses ---- */
 
-/* No consistent set of contacts was found: contacts are soft until the step ends, and the joints are solved directly without them. */
+/* No consistent set of contacts was found: contacts are soft until the step ends, and the joints are solved directly without them. Where
+   the step had no work left to find one, the island is asked again in the next. */
 static void contacts_release(cn_world *world, cni_sparse *sparse, cni_component *c)
 {
 	int32_t k, i;
@@ -179,7 +180,7 @@ static void contacts_release(cn_world *world, cni_sparse *sparse, cni_component 
 	c->has_contacts = 0;
 	c->regular = c->loops ? CNI_REGULARIZATION_LOOPS : 0.0f;
 	cni_sparse_factor(sparse, c, cni_motions(world));
-	if (world->settings.solver == CN_SOLVER_AUTO)
+	if (world->settings.solver == CN_SOLVER_AUTO && !c->denied)
 		cni_island_refuse(world, cni_awake_island(world, sparse->bodies[c->body_begin]), CN_TIER_REASON_NO_SET);
 }
 

@@ -478,7 +478,7 @@ static void awake_islands_take(cn_world *world, int32_t every)
 
 void cni_stage_select_solvers(cn_world *world, float h)
 {
-	world->direct_work = world->direct_failed = world->piles_new = world->cone_work = 0;
+	world->direct_work = world->direct_failed = world->piles_new = world->cone_work = world->set_work = 0;
 	if (world->overridden)
 		solvers_gather(world);
 	if (world->settings.solver == CN_SOLVER_DIRECT) {

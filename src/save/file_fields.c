@@ -38,7 +38,7 @@ static const cni_field world_fields[] = {
 	D(blocks_anchor), D(blocks_extra), D(block_used), D(block_free), D(colors), D(block_list), D(sleep_lanes), D(joint_handles),
 	D(constraint_count), D(joints), D(awake_joints), D(joint_work), D(joint_blocks), D(joint_colors), D(joint_lanes), D(row_blocks),
 	D(row_block_count), D(row_blocks_of), D(joint_plain_first), D(reserved_plain), D(islands), D(island_used), D(island_free), D(island_count),
-	D(reserved_islands), D(direct_islands), D(reserved_direct), D(direct_plans), D(filter), D(filter_user), D(pre_solve), D(pre_solve_user),
+	D(reserved_islands), D(direct_islands), D(set_work), D(direct_plans), D(filter), D(filter_user), D(pre_solve), D(pre_solve_user),
 	D(material_mix), D(material_mix_user), D(events), D(profile), D(areas), D(readback), D(readback_kept), D(readback_asked), D(sums), D(sums_count), D(sums_active), D(event_capacity), D(error)
 };
 

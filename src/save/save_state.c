@@ -46,7 +46,7 @@ static const member other_members[] = {
 	MEMBER(joint_colors), MEMBER(joint_lanes), MEMBER(row_blocks), MEMBER(row_block_count), MEMBER(row_blocks_of), MEMBER(joint_plain_first),
 	MEMBER(reserved_plain), MEMBER(direct_plans), MEMBER(filter), MEMBER(filter_user), MEMBER(pre_solve), MEMBER(pre_solve_user),
 	MEMBER(material_mix), MEMBER(material_mix_user), MEMBER(profile), MEMBER(error), MEMBER(readback), MEMBER(readback_kept), MEMBER(readback_asked),
-	MEMBER(sums), MEMBER(sums_count), MEMBER(sums_active), MEMBER(event_capacity), MEMBER(reserved_islands), MEMBER(reserved_direct), MEMBER(bodies_stopped)
+	MEMBER(sums), MEMBER(sums_count), MEMBER(sums_active), MEMBER(event_capacity), MEMBER(reserved_islands), MEMBER(set_work), MEMBER(bodies_stopped)
 };
 
 #define COUNT_OF(list) ((int32_t)(sizeof(list) / sizeof((list)[0])))

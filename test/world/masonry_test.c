@@ -6,6 +6,7 @@
  * gravity_preload.c (what leans), sleep.c.
  */
 #include "fixture.h"
+#include "direct/direct_contact.h"
 
 #define BODIES_MOST 64
 #define PI 3.14159265f
@@ -17,7 +18,7 @@ typedef struct masonry {
 	cn_mass_data mass[BODIES_MOST];
 	int32_t count;
 	uint32_t random;
-	float friction;
+	float friction, x;
 } masonry;
 
 static void keep(masonry *m, cn_body body)
@@ -44,7 +45,7 @@ static void begin(masonry *m, int32_t solver, int32_t substeps, uint32_t seed)
 static void wedge(masonry *m, float inner, float outer, float from, float to)
 {
 	float x = 0.5f * (inner + outer) * cosf(0.5f * (from + to)), y = 0.5f * (inner + outer) * sinf(0.5f * (from + to));
-	cn_body body = fixture_body(m->world, CN_BODY_DYNAMIC, x, y, 0.0f);
+	cn_body body = fixture_body(m->world, CN_BODY_DYNAMIC, m->x + x, y, 0.0f);
 	cn_shape_def def = fixture_shape_def(body, m->friction, 0.0f);
 	cn_polygon p;
 	cn_shape shape;
@@ -280,6 +281,42 @@ static void t_arches_that_are_struck_stand(void)
 	CHECK_LE("of 20 arches at 5 numbers of substeps, those that fall", fallen, 8, "");
 }
 
+/* ---- the work of a step ---- */
+
+/* Like arches that a box falls on, all at the same time. Returns the most work of contact systems in a step. */
+static int32_t most_work(int32_t arches, int32_t *solved)
+{
+	masonry m;
+	int32_t most = 0, k;
+	begin(&m, CN_SOLVER_AUTO, 4, 1);
+	for (k = 0; k < arches; ++k) {
+		float top;
+		m.count = 0;
+		m.random = 5u * 2654435761u;
+		m.x = 12.0f * (float)(k - arches / 2);
+		arch(&m, 0);
+		top = m.from[m.count / 2].position_m.y;
+		(void)fixture_box(m.world, CN_BODY_DYNAMIC, m.x, 1.25f * top, 0.0f, 0.06f * top, 0.06f * top, m.friction, 0.0f);
+	}
+	for (k = *solved = 0; k < 180; ++k) {
+		fixture_step(m.world, 1);
+		most = m.world->cone_work + m.world->set_work > most ? m.world->cone_work + m.world->set_work : most;
+		*solved += m.world->cone_work > 0;
+	}
+	cn_world_destroy(m.world);
+	return most;
+}
+
+/* Without a limit, 16 arches would take 16 times the work of one. Each may take a few solutions when nothing is left. */
+static void t_systems_share_the_work_of_a_step(void)
+{
+	int32_t solved, one = most_work(1, &solved), all;
+	CHECK_GE("work of one arch", one, CNI_CONE_WORK / 20, "blocks");
+	all = most_work(16, &solved);
+	CHECK_LE("work of 16 arches in a step", all, 2 * CNI_CONE_WORK, "blocks");
+	CHECK_GE("steps with interior points", solved, 5, "");
+}
+
 int main(int argc, char **argv)
 {
 	test_begin(argc, argv);
@@ -289,5 +326,6 @@ int main(int argc, char **argv)
 	RUN(t_leaning_towers_stand_at_any_substeps);
 	RUN(t_an_arch_that_falls_gains_no_energy);
 	RUN(t_arches_that_are_struck_stand);
+	RUN(t_systems_share_the_work_of_a_step);
 	return test_end();
 }

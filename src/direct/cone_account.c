@@ -1,0 +1,23 @@
+/*
+ * direct/cone_account.c - what an island has spent on interior points (limits and reasons in direct/direct_contact.h).
+ *
+ * Reads and writes cone_spent and cone_paid_step of islands.
+ */
+#include "direct/direct_contact.h"
+
+int32_t cni_cone_debt(const cn_world *world, const cni_island *i)
+{
+	uint32_t passed = world->step_count - i->cone_paid_step;
+	return passed <= (uint32_t)(i->cone_spent / CNI_CONE_REFILL) ? i->cone_spent - (int32_t)passed * CNI_CONE_REFILL : 0;
+}
+
+void cni_cone_debt_set(const cn_world *world, cni_island *i, int32_t debt)
+{
+	i->cone_spent = debt;
+	i->cone_paid_step = world->step_count;
+}
+
+void cni_cone_motion_owes(const cn_world *world, cni_island *i)
+{
+	cni_cone_debt_set(world, i, cni_max_i(cni_cone_debt(world, i), CNI_CONE_DEBT - CNI_CONE_MOVED));
+}
