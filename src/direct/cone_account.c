@@ -5,12 +5,6 @@
  */
 #include "direct/direct_contact.h"
 
-int32_t cni_cone_debt(const cn_world *world, const cni_island *i)
-{
-	uint32_t passed = world->step_count - i->cone_paid_step;
-	return passed <= (uint32_t)(i->cone_spent / CNI_CONE_REFILL) ? i->cone_spent - (int32_t)passed * CNI_CONE_REFILL : 0;
-}
-
 void cni_cone_debt_set(const cn_world *world, cni_island *i, int32_t debt)
 {
 	i->cone_spent = debt;

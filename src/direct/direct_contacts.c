@@ -242,15 +242,10 @@ static int32_t is_recent(const cni_direct_contact_pass *q, uint32_t step)
 
 /* ---- choice of method ---- */
 
-/* Most work of the interior-point method in a pass. */
-static int32_t cone_cost(const cni_direct_contact_pass *q)
-{
-	return CNI_CONE_FACTORS * cni_cone_factor_work(q->c);
-}
-
+/* 1: too large for the interior-point method. */
 static int32_t is_large(const cni_direct_contact_pass *q)
 {
-	return q->world->settings.solver == CN_SOLVER_AUTO && cone_cost(q) > CNI_CONE_WORK;
+	return q->world->settings.solver == CN_SOLVER_AUTO && CNI_CONE_FACTORS * cni_cone_factor_work(q->c) > CNI_CONE_WORK;
 }
 
 /*

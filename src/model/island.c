@@ -62,6 +62,12 @@ static uint32_t more_recent(const cn_world *world, uint32_t a, uint32_t b)
 	return world->step_count - a < world->step_count - b ? a : b;
 }
 
+int32_t cni_cone_debt(const cn_world *world, const cni_island *i)
+{
+	uint32_t passed = world->step_count - i->cone_paid_step;
+	return passed <= (uint32_t)(i->cone_spent / CNI_CONE_REFILL) ? i->cone_spent - (int32_t)passed * CNI_CONE_REFILL : 0;
+}
+
 /* Merges the solver selection state: a failure of a part holds for the whole. */
 static void tier_inherit(const cn_world *world, cni_island *to, const cni_island *from)
 {
@@ -77,7 +83,7 @@ static void tier_inherit(const cn_world *world, cni_island *to, const cni_island
 	}
 	if (from->unheld_step != 0)
 		to->unheld_step = to->unheld_step == 0 ? from->unheld_step : more_recent(world, to->unheld_step, from->unheld_step);
-	if (from->cone_spent > to->cone_spent) {
+	if (cni_cone_debt(world, from) > cni_cone_debt(world, to)) {
 		to->cone_spent = from->cone_spent;
 		to->cone_paid_step = from->cone_paid_step;
 	}

@@ -73,4 +73,8 @@ int32_t cni_body_reserve_sleep(cn_world *world, int32_t body);
 /* Puts a body and its island to sleep, and logs it. 0: no memory, nothing changed. */
 int32_t cni_body_put_to_sleep(cn_world *world, int32_t body);
 
+/* Interior-point work that the island has spent, a contact, less its refill since: direct/direct_contact.h. */
+#define CNI_CONE_REFILL 6 /* blocks a contact and step */
+int32_t cni_cone_debt(const cn_world *world, const cni_island *i);
+
 #endif

@@ -40,6 +40,8 @@ static void t_islands_that_meet_or_part_keep_what_is_known(void)
 		i->given_step = now - 7u;
 		i->unheld_step = now - 1u;
 		i->cone_step = now - 3u;
+		i->cone_spent = 1000; /* 100 steps ago: what is left is less than the other's */
+		i->cone_paid_step = now - 100u;
 		other->refused_step = now - 1u;
 		other->refused_steps = 50;
 		other->reason = CN_TIER_REASON_MOVING;
@@ -47,6 +49,8 @@ static void t_islands_that_meet_or_part_keep_what_is_known(void)
 		other->given_step = now - 2u;
 		other->unheld_step = now - 2u;
 		other->cone_step = 0;
+		other->cone_spent = 900;
+		other->cone_paid_step = now;
 		REQUIRE(cni_island_reserve(world, 1));
 		cni_island_link(world, cni_handles_find(&world->body_handles, old), cni_handles_find(&world->body_handles, young));
 		i = island_of(world, young);
@@ -54,6 +58,7 @@ static void t_islands_that_meet_or_part_keep_what_is_known(void)
 		CHECK(i->refused_step == now - 400u && i->refused_steps == 500 && i->reason == CN_TIER_REASON_NO_SET);
 		CHECK(i->stay_steps == 60 && i->given_step == now - 7u);
 		CHECK(i->unheld_step == now - 1u && i->cone_step == now - 3u);
+		CHECK(cni_cone_debt(world, i) == 900);
 		REQUIRE(cni_island_split(world, island_number(world, old)));
 		CHECK(island_number(world, old) != island_number(world, young));
 		for (other = island_of(world, old); other != NULL; other = other == island_of(world, old) ? island_of(world, young) : NULL) {
