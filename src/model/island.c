@@ -83,7 +83,7 @@ static void tier_inherit(const cn_world *world, cni_island *to, const cni_island
 	}
 	if (from->unheld_step != 0)
 		to->unheld_step = to->unheld_step == 0 ? from->unheld_step : more_recent(world, to->unheld_step, from->unheld_step);
-	if (cni_cone_debt(world, from) > cni_cone_debt(world, to)) {
+	if (CNI_HAS_DIRECT && cni_cone_debt(world, from) > cni_cone_debt(world, to)) {
 		to->cone_spent = from->cone_spent;
 		to->cone_paid_step = from->cone_paid_step;
 	}
