@@ -85,7 +85,7 @@ void cni_active_clear(const cn_world *world, cni_sparse *sparse, const cni_compo
 	int32_t k;
 	for (k = c->begin; k < c->end; ++k)
 		if (cni_active_row(world, &sparse->nodes[k]) != NULL)
-			memset(&sparse->nodes[k].lever[2], 0, sizeof sparse->nodes[k].lever[2]);
+			cni_levers_clear(&sparse->nodes[k].levers, 2);
 }
 
 void cni_active_levers(const cn_world *world, cni_sparse *sparse, const cni_component *c)
@@ -96,7 +96,7 @@ void cni_active_levers(const cn_world *world, cni_sparse *sparse, const cni_comp
 		const cni_row *r = cni_active_row(world, n);
 		if (r == NULL || !(n->active & CNI_ROW_IN_SET))
 			continue;
-		n->lever[2] = cni_row_lever(r);
+		cni_levers_set(&n->levers, 2, cni_row_lever(r));
 		n->compliance[2] = 0.0f;
 	}
 }
@@ -112,6 +112,6 @@ void cni_active_right_sides(const cn_world *world, const cni_solve *s, cni_spars
 			continue;
 		n->target = target_speed(r, s, bias);
 		if (n->active & CNI_ROW_IN_SET)
-			n->x[2] = n->target - cni_lever_speed(&n->lever[2], motions + n->ia, motions + n->ib);
+			n->x[2] = n->target - cni_row_speed(r, motions + n->ia, motions + n->ib);
 	}
 }

@@ -66,15 +66,16 @@ static void sides_convert(const cn_world *world, cni_sparse *sparse, const cni_c
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
 		const cni_row *r = cni_active_row(world, n);
+		float speed[CNI_NODE_LANES];
+		cni_four_store(speed, cni_levers_speed(&n->levers, motions + n->ia, motions + n->ib));
 		for (i = 0; i < n->rows; ++i) {
-			float speed = cni_lever_speed(&n->lever[i], motions + n->ia, motions + n->ib);
 			if (back)
-				n->x[i] = n->total[i] - speed;
+				n->x[i] = n->total[i] - speed[i];
 			else
-				n->total[i] = n->x[i] + speed;
+				n->total[i] = n->x[i] + speed[i];
 		}
 		for (; back && i < CNI_NODE_ROWS; ++i)
-			n->x[i] = -cni_lever_speed(&n->lever[i], motions + n->ia, motions + n->ib);
+			n->x[i] = -speed[i];
 		if (back && r != NULL && (n->active & CNI_ROW_IN_SET))
 			n->x[2] += n->target;
 	}

@@ -79,7 +79,7 @@ static int32_t levers_read(const cn_world *world, cni_sparse *sparse, const cni_
 		++joints;
 		rows = cni_joint_constraints(world)[n->owner].rows;
 		for (i = 0; i < n->rows; ++i)
-			n->lever[i] = cni_row_lever(&rows[i]);
+			cni_levers_set(&n->levers, i, cni_row_lever(&rows[i]));
 	}
 	return joints;
 }
@@ -129,8 +129,7 @@ CNI_INLINE void nodes_push(cn_world *world, const cni_sparse *sparse, const cni_
 			continue;
 		for (i = 0; i < n->rows; ++i)
 			constraints[n->owner].rows[i].impulse += n->x[i];
-		for (i = 0; i < width; ++i)
-			cni_lever_push(&n->lever[i], n->x[i], &a, &b);
+		cni_levers_push(&n->levers, n->x, &a, &b, width);
 		motions[n->ia] = a;
 		motions[n->ib] = b;
 	}
@@ -151,11 +150,12 @@ CNI_INLINE void speeds_read(const cn_world *world, cni_sparse *sparse, const cni
 	int32_t k, i;
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
-		const cni_motion *a = motions + n->ia, *b = motions + n->ib;
+		float speed[CNI_NODE_LANES];
 		if (n->owner < 0)
 			continue;
+		cni_four_store(speed, cni_levers_speed(&n->levers, motions + n->ia, motions + n->ib));
 		for (i = 0; i < width; ++i)
-			n->x[i] = -cni_lever_speed(&n->lever[i], a, b) - (i < n->rows ? cni_clamp(rate * constraints[n->owner].rows[i].error, -push, push) : 0.0f);
+			n->x[i] = -speed[i] - (i < n->rows ? cni_clamp(rate * constraints[n->owner].rows[i].error, -push, push) : 0.0f);
 	}
 }
 
@@ -179,9 +179,10 @@ static void leaks_add(const cn_world *world, cni_sparse *sparse, const cni_compo
 	int32_t k, i;
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
-		for (i = 0; i < n->rows && n->owner >= 0; ++i)
-			n->x[i] -= CNI_DIRECT_LEAK * cni_lever_inverse_mass(&n->lever[i], motions + n->ia, motions + n->ib) *
-			           constraints[n->owner].rows[i].impulse;
+		for (i = 0; i < n->rows && n->owner >= 0; ++i) {
+			cni_lever l = cni_levers_row(&n->levers, i);
+			n->x[i] -= CNI_DIRECT_LEAK * cni_lever_inverse_mass(&l, motions + n->ia, motions + n->ib) * constraints[n->owner].rows[i].impulse;
+		}
 	}
 }
 
@@ -243,8 +244,8 @@ static void dampers_forget(cn_world *world, const cni_sparse *sparse, const cni_
 		const cni_node *n = &sparse->nodes[k];
 		if (n->rows != 2 || n->owner < 0 || (n->active & CNI_ROW_IN_SET))
 			continue;
-		starts[n->ia].w += motions[n->ia].inv_inertia * n->lever[2].aw * n->x[2];
-		starts[n->ib].w += motions[n->ib].inv_inertia * n->lever[2].bw * n->x[2];
+		starts[n->ia].w += motions[n->ia].inv_inertia * n->levers.aw[2] * n->x[2];
+		starts[n->ib].w += motions[n->ib].inv_inertia * n->levers.bw[2] * n->x[2];
 	}
 }
 

@@ -149,9 +149,10 @@ static int32_t contact_levers_set(const cni_direct_contact *p, cni_node *n)
 		int32_t active = p->state[i] == CNI_ROW_ACTIVE, was = (n->active >> i) & 1;
 		if (active == was)
 			continue;
-		memset(&n->lever[i], 0, sizeof n->lever[i]);
 		if (active)
-			n->lever[i] = cni_direct_contact_lever(p, i);
+			cni_levers_set(&n->levers, i, cni_direct_contact_lever(p, i));
+		else
+			cni_levers_clear(&n->levers, i);
 		n->active ^= 1 << i;
 		changed = 1;
 	}
@@ -197,9 +198,11 @@ static float right_sides(const cni_direct_contact_pass *q)
 		cni_node *n = &q->sparse->nodes[k];
 		const cni_direct_contact *p = cni_direct_contact_of(q->sparse, n);
 		const cni_row *rows = p == NULL ? cni_joint_constraints(q->world)[n->owner].rows : NULL;
+		float speed[CNI_NODE_LANES];
+		cni_four_store(speed, cni_levers_speed(&n->levers, q->motions + n->ia, q->motions + n->ib));
 		for (i = 0; i < CNI_NODE_ROWS; ++i) {
 			float more = p != NULL ? prescribed_speed(q, p, i) : i < n->rows ? cni_clamp(rate * rows[i].error, -q->s->push_speed, q->s->push_speed) : 0.0f;
-			n->x[i] = -cni_lever_speed(&n->lever[i], q->motions + n->ia, q->motions + n->ib) - more;
+			n->x[i] = -speed[i] - more;
 			largest = cni_max(largest, cni_abs(n->x[i]));
 		}
 	}
@@ -212,9 +215,9 @@ static void velocities_push(const cni_direct_contact_pass *q)
 	for (k = q->c->begin; k < q->c->end; ++k) {
 		cni_node *n = &q->sparse->nodes[k];
 		cni_direct_contact *p = cni_direct_contact_of(q->sparse, n);
+		cni_levers_push(&n->levers, n->x, q->motions + n->ia, q->motions + n->ib, CNI_NODE_ROWS);
 		for (i = 0; i < CNI_NODE_ROWS; ++i) {
 			n->total[i] += n->x[i];
-			cni_lever_push(&n->lever[i], n->x[i], q->motions + n->ia, q->motions + n->ib);
 			if (p != NULL && p->state[i] == CNI_ROW_ACTIVE)
 				p->j[i] += n->x[i];
 		}

@@ -174,7 +174,7 @@ static void contacts_release(cn_world *world, cni_sparse *sparse, cni_component 
 	cni_direct_contacts_restore(world, sparse, c);
 	for (k = c->begin; k < c->end; ++k)
 		for (i = 0; sparse->nodes[k].owner < 0 && i < CNI_NODE_ROWS; ++i) {
-			memset(&sparse->nodes[k].lever[i], 0, sizeof sparse->nodes[k].lever[i]);
+			cni_levers_clear(&sparse->nodes[k].levers, i);
 			sparse->nodes[k].x[i] = 0.0f;
 		}
 	c->has_contacts = 0;

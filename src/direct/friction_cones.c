@@ -191,35 +191,39 @@ static void contact_newton(cone *q, cni_direct_contact *p, cni_node *n)
 	lift = p->coefficient * (push[2] + push[3]);
 	p->slope = d2 + d3 > 0.0f ? p->coefficient * (d2 - d3) / (d2 + d3) : 0.0f;
 	both = d2 + d3 > 0.0f ? p->coefficient * p->coefficient * 4.0f * d2 * (d3 / (d2 + d3)) : 0.0f;
-	memset(n->lever, 0, sizeof n->lever);
+	memset(&n->levers, 0, sizeof n->levers);
 	n->x[2] = row_exists(p, 2) ? push[3] - push[2] - speeds[2] : 0.0f;
 	n->compliance[2] = d2 + d3;
 	for (i = 0; i < 2; ++i) {
 		n->x[i] = row_exists(p, i) ? push[i] + lift - speeds[i] + p->slope * n->x[2] : 0.0f;
 		n->compliance[i] = row_exists(p, i) ? stiffness_of(p, i) + both : 0.0f;
-		if (row_exists(p, i))
-			n->lever[i] = cni_direct_contact_lever(p, i);
-		if (row_exists(p, i) && row_exists(p, 2)) {
-			n->lever[i].ax += p->slope * friction.ax;
-			n->lever[i].ay += p->slope * friction.ay;
-			n->lever[i].aw += p->slope * friction.aw;
-			n->lever[i].bx += p->slope * friction.bx;
-			n->lever[i].by += p->slope * friction.by;
-			n->lever[i].bw += p->slope * friction.bw;
+		if (row_exists(p, i)) {
+			cni_lever l = cni_direct_contact_lever(p, i);
+			if (row_exists(p, 2)) {
+				l.ax += p->slope * friction.ax;
+				l.ay += p->slope * friction.ay;
+				l.aw += p->slope * friction.aw;
+				l.bx += p->slope * friction.bx;
+				l.by += p->slope * friction.by;
+				l.bw += p->slope * friction.bw;
+			}
+			cni_levers_set(&n->levers, i, l);
 		}
 	}
 	n->cross = row_exists(p, 1) ? both : 0.0f;
 	if (row_exists(p, 2))
-		n->lever[2] = friction;
+		cni_levers_set(&n->levers, 2, friction);
 }
 
 static void joint_newton(const cone *q, cni_node *n)
 {
 	const cni_row *rows = cni_joint_constraints(q->pass->world)[n->owner].rows;
 	float rate = q->pass->bias ? CNI_JOINT_ERROR_RATE * q->pass->s->inv_h : 0.0f;
+	float speed[CNI_NODE_LANES];
 	int32_t i;
+	cni_four_store(speed, cni_levers_speed(&n->levers, q->pass->motions + n->ia, q->pass->motions + n->ib));
 	for (i = 0; i < CNI_NODE_ROWS; ++i)
-		n->x[i] = -cni_lever_speed(&n->lever[i], q->pass->motions + n->ia, q->pass->motions + n->ib) -
+		n->x[i] = -speed[i] -
 		          (i < n->rows ? cni_clamp(rate * rows[i].error, -q->pass->s->push_speed, q->pass->s->push_speed) : 0.0f);
 }
 
@@ -271,10 +275,9 @@ static float step_apply(const cone *q, float length)
 		for (i = 0; i < CNI_NODE_ROWS; ++i)
 			n->x[i] *= length;
 		if (p == NULL) {
-			for (i = 0; i < CNI_NODE_ROWS; ++i) {
+			for (i = 0; i < CNI_NODE_ROWS; ++i)
 				n->total[i] += n->x[i];
-				cni_lever_push(&n->lever[i], n->x[i], q->pass->motions + n->ia, q->pass->motions + n->ib);
-			}
+			cni_levers_push(&n->levers, n->x, q->pass->motions + n->ia, q->pass->motions + n->ib, CNI_NODE_ROWS);
 			continue;
 		}
 		rows_push(q, p, n, n->x);
@@ -353,7 +356,7 @@ static void contact_finish(const cone *q, cni_direct_contact *p, cni_node *n)
 	rows_push(q, p, n, change);
 	for (i = 0; i < 3; ++i)
 		p->j[i] += change[i];
-	memset(n->lever, 0, sizeof n->lever);
+	memset(&n->levers, 0, sizeof n->levers);
 	memset(n->compliance, 0, sizeof n->compliance);
 	n->cross = 0.0f;
 	n->active = 0;

@@ -117,13 +117,12 @@ void cni_geometric_stiffness_damp(const cn_world *world, cni_sparse *sparse, con
 	cni_geometric_stiffness_find(world, sparse, c, h);
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
-		cni_lever *l = &n->lever[2];
 		float most;
 		if (n->rows != 2 || is_fixed(world, n->ia) || is_fixed(world, n->ib))
 			continue;
 		most = cni_max(excess(world, sparse, n->ia, h), excess(world, sparse, n->ib, h));
-		l->aw = most > 0.0f ? -1.0f : 0.0f;
-		l->bw = most > 0.0f ? 1.0f : 0.0f;
+		n->levers.aw[2] = most > 0.0f ? -1.0f : 0.0f;
+		n->levers.bw[2] = most > 0.0f ? 1.0f : 0.0f;
 		n->compliance[2] = most > 0.0f ? 1.0f / most : 0.0f;
 	}
 }
@@ -139,8 +138,8 @@ int32_t cni_geometric_stiffness_lock(const cn_world *world, const cni_sparse *sp
 		    (cni_abs(motions[n->ia].w) <= most && cni_abs(motions[n->ib].w) <= most) || cni_abs(motions[n->ib].w - motions[n->ia].w) <= 0.5f * most)
 			continue;
 		c->width = CNI_NODE_ROWS;
-		n->lever[2].aw = -1.0f;
-		n->lever[2].bw = 1.0f;
+		n->levers.aw[2] = -1.0f;
+		n->levers.bw[2] = 1.0f;
 		n->compliance[2] = 0.0f;
 		found = 1;
 	}

@@ -88,8 +88,8 @@ static int32_t joint_is(const cn_world *world, const cni_node *n, int32_t type)
 
 static void pin_drift(const cni_solve *s, cni_node *n, float wa, float wb)
 {
-	const cni_lever *x = &n->lever[0], *y = &n->lever[1];
-	cni_vec2 a = drift(cni_v(-y->aw, x->aw), s->h * wa), b = drift(cni_v(y->bw, -x->bw), s->h * wb);
+	const cni_levers *l = &n->levers;
+	cni_vec2 a = drift(cni_v(-l->aw[1], l->aw[0]), s->h * wa), b = drift(cni_v(l->bw[1], -l->bw[0]), s->h * wb);
 	n->x[0] -= cni_clamp((b.x - a.x) * s->inv_h, -s->push_speed, s->push_speed);
 	n->x[1] -= cni_clamp((b.y - a.y) * s->inv_h, -s->push_speed, s->push_speed);
 }
@@ -99,11 +99,12 @@ static void joint_drift(const cn_world *world, const cni_solve *s, cni_node *n)
 {
 	const cni_motion *motions = cni_motions(world);
 	const cni_joint_constraint *w = cni_joint_constraints(world) + n->owner;
-	float ahead[CNI_NODE_ROWS];
+	float ahead[CNI_NODE_ROWS], now[CNI_NODE_LANES];
 	int32_t i;
 	cni_joint_constraint_ahead(w, motions, s->h, ahead);
+	cni_four_store(now, cni_levers_speed(&n->levers, motions + n->ia, motions + n->ib));
 	for (i = 0; i < n->rows; ++i) {
-		float speed = (ahead[i] - w->rows[i].error) * s->inv_h - cni_lever_speed(&n->lever[i], motions + n->ia, motions + n->ib);
+		float speed = (ahead[i] - w->rows[i].error) * s->inv_h - now[i];
 		n->x[i] -= cni_clamp(speed, -s->push_speed, s->push_speed);
 	}
 }

@@ -161,7 +161,7 @@ static void push_and_move(const rattle_step *g, float part)
 		const cni_node *n = &g->sparse->nodes[k];
 		cni_motion *a = g->motions + n->ia, *b = g->motions + n->ib;
 		for (i = 0; i < CNI_NODE_ROWS; ++i) {
-			const cni_lever *l = &n->lever[i];
+			const cni_lever row = cni_levers_row(&n->levers, i), *l = &row;
 			float x = n->x[i], pa = a->inv_mass * x, pb = b->inv_mass * x;
 			move(a, g->h, part, pa * l->ax, pa * l->ay, a->inv_inertia * x * l->aw);
 			move(b, g->h, part, pb * l->bx, pb * l->by, b->inv_inertia * x * l->bw);
@@ -221,7 +221,8 @@ static void impulses_push(const rattle_step *g, float part, float kept)
 		const cni_node *n = &g->sparse->nodes[k];
 		for (i = 0; i < n->rows; ++i) {
 			cni_row *r = &constraint_of(g, k)->rows[i];
-			cni_lever_push(&n->lever[i], part * r->impulse, g->motions + n->ia, g->motions + n->ib);
+			cni_lever l = cni_levers_row(&n->levers, i);
+			cni_lever_push(&l, part * r->impulse, g->motions + n->ia, g->motions + n->ib);
 			r->impulse *= kept;
 		}
 	}
@@ -247,8 +248,10 @@ static int32_t velocities_close(const rattle_step *g)
 	int32_t k, i;
 	for (k = g->c->begin; k < g->c->end; ++k) {
 		cni_node *n = &g->sparse->nodes[k];
+		float speed[CNI_NODE_LANES];
+		cni_four_store(speed, cni_levers_speed(&n->levers, g->motions + n->ia, g->motions + n->ib));
 		for (i = 0; i < CNI_NODE_ROWS; ++i)
-			n->x[i] = -cni_lever_speed(&n->lever[i], g->motions + n->ia, g->motions + n->ib);
+			n->x[i] = -speed[i];
 	}
 	if (!cni_sparse_solve(g->sparse, g->c))
 		return 0;

@@ -105,8 +105,10 @@ float cni_rattle_base_work(const rattle_step *g)
 	int32_t k, i;
 	for (k = g->c->begin; k < g->c->end; ++k) {
 		const cni_node *n = &g->sparse->nodes[k];
-		for (i = 0; i < n->rows; ++i)
-			work -= constraint_of(g, k)->rows[i].impulse * base_speed(&n->lever[i], g->motions + n->ia, g->motions + n->ib);
+		for (i = 0; i < n->rows; ++i) {
+			cni_lever l = cni_levers_row(&n->levers, i);
+			work -= constraint_of(g, k)->rows[i].impulse * base_speed(&l, g->motions + n->ia, g->motions + n->ib);
+		}
 	}
 	return work;
 }

@@ -9,7 +9,7 @@
  *   nodes     [0][1][2][3]...            in the order of elimination; components one after the other
  *   first     index of node k's first block; it has one for each later neighbour, fill included
  *   below     the later node of each block, ascending
- *   block     2 x 2 or 3 x 3 floats, row major: rows of the later node, columns of the earlier one
+ *   block     2 x 2 floats or 3 rows of 4, row major: rows of the later node, columns of the earlier one
  *   pivot     inverse of the node's own block after elimination
  *
  * A row that acts on no body, or that depends on other rows (its pivot cancels), gets no impulse.
@@ -21,28 +21,23 @@
 #include "base/ablation.h"
 #include "base/arena.h"
 #include "base/table.h"
-#include "linear/motion.h"
+#include "linear/lever.h"
 
-#define CNI_NODE_ROWS 3
+#define CNI_BLOCK_FLOATS (CNI_NODE_ROWS * CNI_NODE_LANES)
 #define CNI_PIVOT_LEAST 2e-6f /* a pivot below this part of the diagonal it came from is rounding */
 #define CNI_KEPT_BYTES 64
-
-/* One row of J: speed = a . (va, wa) + b . (vb, wb). */
-typedef struct cni_lever {
-	float ax, ay, aw, bx, by, bw;
-} cni_lever;
 
 typedef struct cni_node {
 	int32_t ia, ib;                    /* dense indices of its bodies, 0: static or the world */
 	int32_t owner;                     /* set by the caller */
 	int32_t rows;                      /* 1 to 3 */
 	uint32_t active;                   /* of a contact: bits of the rows whose levers are set; of a joint: direct/active_rows.c */
-	cni_lever lever[CNI_NODE_ROWS];    /* rows beyond `rows` are zero */
+	cni_levers levers;
 	float compliance[CNI_NODE_ROWS];   /* added to the diagonal */
 	float cross;                       /* ... and to the element between the first two rows */
 	float least[CNI_NODE_ROWS];        /* smaller pivots are rounding errors and are treated as zero */
-	float x[CNI_NODE_ROWS];            /* right hand side in, solution out */
-	float carried[CNI_NODE_ROWS];      /* impulses at the begin of a pass */
+	float x[CNI_NODE_LANES];           /* right hand side in, solution out; the last is zero */
+	float carried[CNI_NODE_LANES];     /* impulses at the begin of a pass */
 	float total[CNI_NODE_ROWS];        /* sum of the solutions so far, where there are several; of joints with motors: target speeds */
 	float target;                      /* ... target speed of the third row: direct/active_rows.c */
 } cni_node;
@@ -114,8 +109,8 @@ typedef struct cni_sparse {
 	int32_t *first;               /* node_count + 1 */
 	int32_t *below;
 	int32_t block_count;
-	float *blocks;                /* 9 per block */
-	float *pivots;                /* 9 per node */
+	float *blocks;                /* CNI_BLOCK_FLOATS per block */
+	float *pivots;                /* ... per node */
 	cni_coupling *couplings;
 	int32_t coupling_count;
 	cni_component *components;
@@ -173,28 +168,5 @@ int32_t cni_topology_describe(const cni_sparse *sparse, const cni_component *c, 
 /* Sets every component's kind: a class below CNI_TOPOLOGY_CLASSES, or CNI_NONE. */
 #define CNI_TOPOLOGY_CLASSES 64
 void cni_topology_classes_find(cni_sparse *sparse, const cni_motion *motions);
-
-static inline float cni_lever_speed(const cni_lever *l, const cni_motion *a, const cni_motion *b)
-{
-	return l->ax * a->vx + l->ay * a->vy + l->aw * a->w + l->bx * b->vx + l->by * b->vy + l->bw * b->w;
-}
-
-/* Inverse effective mass of a row: the speed change per unit impulse. */
-static inline float cni_lever_inverse_mass(const cni_lever *l, const cni_motion *a, const cni_motion *b)
-{
-	return a->inv_mass * (l->ax * l->ax + l->ay * l->ay) + a->inv_inertia * l->aw * l->aw +
-	       b->inv_mass * (l->bx * l->bx + l->by * l->by) + b->inv_inertia * l->bw * l->bw;
-}
-
-static inline void cni_lever_push(const cni_lever *l, float impulse, cni_motion *a, cni_motion *b)
-{
-	float ma = a->inv_mass * impulse, mb = b->inv_mass * impulse;
-	a->vx += ma * l->ax;
-	a->vy += ma * l->ay;
-	a->w += a->inv_inertia * impulse * l->aw;
-	b->vx += mb * l->bx;
-	b->vy += mb * l->by;
-	b->w += b->inv_inertia * impulse * l->bw;
-}
 
 #endif

@@ -56,7 +56,7 @@ static uint64_t scratch_bytes(int32_t count, int32_t body_count)
 
 static uint64_t block_bytes(int32_t count)
 {
-	return sizeof(float) * CNI_NODE_ROWS * CNI_NODE_ROWS * (uint64_t)count;
+	return sizeof(float) * CNI_BLOCK_FLOATS * (uint64_t)count;
 }
 
 static uint64_t node_bytes(int32_t nodes, int32_t components)
@@ -359,7 +359,7 @@ static int32_t plan_take(const cni_planner *p, const kept_plan *kept)
 	s->nodes = (cni_node *)(void *)at[0];
 	s->components = (cni_component *)(void *)(at[0] + rounded((uint64_t)h->node_count * sizeof(cni_node)));
 	s->pivots = (float *)(void *)at[1];
-	s->blocks = s->pivots + (size_t)h->node_count * (CNI_NODE_ROWS * CNI_NODE_ROWS);
+	s->blocks = s->pivots + (size_t)h->node_count * CNI_BLOCK_FLOATS;
 	for (k = 0; k < h->node_count; ++k)
 		node_make(&s->nodes[k], &kept->links[kept->order[k]]);
 	memcpy(s->components, kept->components, sizeof(cni_component) * (size_t)h->component_count);
@@ -431,7 +431,7 @@ void cni_sparse_clear(cni_sparse *s, const cni_component *c)
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &s->nodes[k];
 		n->active = 0;
-		memset(n->lever, 0, sizeof n->lever);
+		memset(&n->levers, 0, sizeof n->levers);
 		memset(n->compliance, 0, sizeof n->compliance);
 		n->cross = 0.0f;
 		memset(n->least, 0, sizeof n->least);

@@ -2,22 +2,14 @@
  * linear/sparse_solve.c - factorization and solution in the order of a plan (method in sparse.h).
  *
  * Reads nodes and inverse masses, writes blocks, pivots and the nodes' x. Blocks have the component's width, two or
- * three; each function is written once with the width as its last argument and inlined with a constant width. Unused rows
- * of a node are zero and get no impulse.
+ * three: a block of two rows is one vector, of three rows three vectors whose last lane is zero. Functions with a width
+ * as their last argument are inlined with a constant one. Unused rows of a node are zero and get no impulse; the number
+ * of its leading rows that are used bounds the work of eliminating it.
  */
-#include "base/cpu.h"
 #include "linear/sparse.h"
-#if CNI_HAS_WIDE_4
-#define CNI_WIDTH 4
-#else
-#define CNI_WIDTH 1
-#endif
-#include "base/wide.h"
 
-#include <stddef.h>
 #include <string.h>
 
-#define STRIDE (CNI_NODE_ROWS * CNI_NODE_ROWS)
 #define PIVOT_LEAST_REGULAR 0.2f /* so is one below this part of what was added to it: see CNI_PIVOT_LEAST */
 
 /* A component's blocks and pivots: packed at the component's width into memory for the largest width. */
@@ -26,76 +18,88 @@ typedef struct region {
 	int32_t block_first, node_first;
 } region;
 
-/* A block of two rows is one vector of four floats, so it is aligned; memory for three rows leaves room for that. */
-static float *aligned(float *blocks, int32_t width)
-{
-	return width == 2 ? (float *)(((uintptr_t)blocks + 15u) & ~(uintptr_t)15u) : blocks;
-}
-
 static region region_of(const cni_sparse *s, const cni_component *c)
 {
 	region r;
 	r.block_first = s->first[c->begin];
 	r.node_first = c->begin;
-	r.blocks = aligned(s->blocks + (size_t)r.block_first * STRIDE, c->width);
-	r.pivots = s->pivots + (size_t)c->begin * STRIDE;
+	r.blocks = s->blocks + (size_t)r.block_first * CNI_BLOCK_FLOATS;
+	r.pivots = s->pivots + (size_t)c->begin * CNI_BLOCK_FLOATS;
 	return r;
+}
+
+CNI_INLINE size_t block_floats(int32_t w)
+{
+	return w == 2 ? 4 : CNI_BLOCK_FLOATS;
 }
 
 CNI_INLINE float *block_at(const region *r, int32_t block, int32_t w)
 {
-	return r->blocks + (size_t)(block - r->block_first) * (size_t)(w * w);
+	return r->blocks + (size_t)(block - r->block_first) * block_floats(w);
 }
 
 CNI_INLINE float *pivot_at(const region *r, int32_t node, int32_t w)
 {
-	return r->pivots + (size_t)(node - r->node_first) * (size_t)(w * w);
+	return r->pivots + (size_t)(node - r->node_first) * block_floats(w);
 }
 
 /* ---- the matrix ---- */
 
-/* Computes the lower triangle of a node's own block. */
-CNI_INLINE void diagonal_form(const cni_node *n, float *d, const cni_motion *motions, float regular, int32_t w)
+/* Writes rows to a block, or adds them to it. */
+CNI_INLINE void block_set(float *block, const cni_four rows[CNI_NODE_ROWS], int32_t add, int32_t w)
 {
-	const cni_motion *a = motions + n->ia, *b = motions + n->ib;
-	int32_t i, l;
-	for (i = 0; i < w; ++i)
-		for (l = 0; l <= i; ++l) {
-			const cni_lever *p = &n->lever[i], *q = &n->lever[l];
-			d[i * w + l] = a->inv_mass * (p->ax * q->ax + p->ay * q->ay) + a->inv_inertia * p->aw * q->aw +
-			               b->inv_mass * (p->bx * q->bx + p->by * q->by) + b->inv_inertia * p->bw * q->bw;
-		}
-	for (i = 0; i < w; ++i)
-		d[i * w + i] += regular * d[i * w + i] + n->compliance[i];
-	d[w] += n->cross;
+	int32_t i;
+	if (w == 2) {
+		cni_four both = CNI_FOUR_PICK(rows[0], rows[1], 0, 1, 4, 5);
+		cni_four_store(block, add ? cni_four_add(cni_four_load(block), both) : both);
+		return;
+	}
+	for (i = 0; i < 3; ++i)
+		cni_four_store(block + 4 * i, add ? cni_four_add(cni_four_load(block + 4 * i), rows[i]) : rows[i]);
 }
 
-/* The part of a row that acts on one of its bodies. */
-CNI_INLINE void lever_end(const cni_lever *l, int32_t side, float *x, float *y, float *w)
+CNI_INLINE int32_t diagonal_at(int32_t i, int32_t w)
 {
-	*x = side ? l->bx : l->ax;
-	*y = side ? l->by : l->ay;
-	*w = side ? l->bw : l->aw;
+	return w == 2 ? 3 * i : 5 * i;
+}
+
+/* Computes a node's own block. */
+CNI_INLINE void diagonal_form(cni_node *n, float *d, const cni_motion *motions, float regular, float least, int32_t w)
+{
+	const cni_motion *a = motions + n->ia, *b = motions + n->ib;
+	const cni_levers *l = &n->levers;
+	cni_four ax = cni_four_load(l->ax), ay = cni_four_load(l->ay), aw = cni_four_load(l->aw);
+	cni_four bx = cni_four_load(l->bx), by = cni_four_load(l->by), bw = cni_four_load(l->bw), rows[CNI_NODE_ROWS];
+	int32_t i;
+	for (i = 0; i < w; ++i) {
+		cni_four sum = cni_four_scale(cni_four_add(cni_four_scale(ax, l->ax[i]), cni_four_scale(ay, l->ay[i])), a->inv_mass);
+		sum = cni_four_add(sum, cni_four_scale(aw, a->inv_inertia * l->aw[i]));
+		sum = cni_four_add(sum, cni_four_scale(cni_four_add(cni_four_scale(bx, l->bx[i]), cni_four_scale(by, l->by[i])), b->inv_mass));
+		rows[i] = cni_four_add(sum, cni_four_scale(bw, b->inv_inertia * l->bw[i]));
+	}
+	block_set(d, rows, 0, w);
+	d[w == 2 ? 2 : 4] += n->cross;
+	for (i = 0; i < w; ++i) {
+		float *x = &d[diagonal_at(i, w)];
+		*x += regular * *x + n->compliance[i];
+		n->least[i] = least * *x;
+	}
 }
 
 /* Adds a term to a block. first: the block's present content is ignored. */
 CNI_INLINE void coupling_add(const cni_sparse *s, const cni_coupling *c, const cni_motion *motions, float *block, int32_t first, int32_t w)
 {
-	const cni_node *high = &s->nodes[c->high], *low = &s->nodes[c->low];
-	const cni_motion *m = motions + (c->high_side ? high->ib : high->ia);
-	int32_t i, l;
+	const cni_levers *high = &s->nodes[c->high].levers, *low = &s->nodes[c->low].levers;
+	const cni_motion *m = motions + (c->high_side ? s->nodes[c->high].ib : s->nodes[c->high].ia);
+	const float *x = c->high_side ? high->bx : high->ax, *y = c->high_side ? high->by : high->ay, *turn = c->high_side ? high->bw : high->aw;
+	cni_four lx = cni_four_load(c->low_side ? low->bx : low->ax), ly = cni_four_load(c->low_side ? low->by : low->ay);
+	cni_four lw = cni_four_load(c->low_side ? low->bw : low->aw), rows[CNI_NODE_ROWS];
+	int32_t i;
 	for (i = 0; i < w; ++i) {
-		float x, y, turn;
-		lever_end(&high->lever[i], c->high_side, &x, &y, &turn);
-		x *= m->inv_mass;
-		y *= m->inv_mass;
-		turn *= m->inv_inertia;
-		for (l = 0; l < w; ++l) {
-			float lx, ly, lw;
-			lever_end(&low->lever[l], c->low_side, &lx, &ly, &lw);
-			block[i * w + l] = (first ? 0.0f : block[i * w + l]) + (x * lx + y * ly + turn * lw);
-		}
+		cni_four sum = cni_four_add(cni_four_scale(lx, x[i] * m->inv_mass), cni_four_scale(ly, y[i] * m->inv_mass));
+		rows[i] = cni_four_add(sum, cni_four_scale(lw, turn[i] * m->inv_inertia));
 	}
+	block_set(block, rows, !first, w);
 }
 
 /* ---- elimination ---- */
@@ -117,62 +121,86 @@ CNI_INLINE void pivot_invert(float *d, const float *least, int32_t w)
 		d[1] = d[2] = -l10 * i1;
 		d[3] = i1;
 	} else {
-		float i0 = pivot_inverse(d[0], least[0]), l10 = d[3] * i0, l20 = d[6] * i0;
-		float i1 = pivot_inverse(d[4] - l10 * d[3], least[1]), c21 = d[7] - l20 * d[3], l21 = c21 * i1;
-		float i2 = pivot_inverse(d[8] - l20 * d[6] - l21 * c21, least[2]), t20 = l10 * l21 - l20;
+		float i0 = pivot_inverse(d[0], least[0]), l10 = d[4] * i0, l20 = d[8] * i0;
+		float i1 = pivot_inverse(d[5] - l10 * d[4], least[1]), c21 = d[9] - l20 * d[4], l21 = c21 * i1;
+		float i2 = pivot_inverse(d[10] - l20 * d[8] - l21 * c21, least[2]), t20 = l10 * l21 - l20;
 		d[0] = i0 + l10 * l10 * i1 + t20 * t20 * i2;
-		d[3] = d[1] = -l10 * i1 - t20 * l21 * i2;
-		d[6] = d[2] = t20 * i2;
-		d[4] = i1 + l21 * l21 * i2;
-		d[7] = d[5] = -l21 * i2;
-		d[8] = i2;
+		d[4] = d[1] = -l10 * i1 - t20 * l21 * i2;
+		d[8] = d[2] = t20 * i2;
+		d[5] = i1 + l21 * l21 * i2;
+		d[9] = d[6] = -l21 * i2;
+		d[10] = i2;
 	}
 }
 
-/* out = block * pivot */
-CNI_INLINE void block_times(const float *block, const float *pivot, float *out, int32_t w)
+/* One row of a product: the sum over its first `used` elements of an element times a row. */
+CNI_INLINE cni_four row_times(const float *row, const cni_four *rows, int32_t used)
 {
-	int32_t i, l, k;
-	for (i = 0; i < w; ++i)
-		for (l = 0; l < w; ++l) {
-			float sum = block[i * w] * pivot[l];
-			for (k = 1; k < w; ++k)
-				sum += block[i * w + k] * pivot[k * w + l];
-			out[i * w + l] = sum;
-		}
+	cni_four sum = cni_four_scale(rows[0], row[0]);
+	int32_t k;
+	for (k = 1; k < used; ++k)
+		sum = cni_four_add(sum, cni_four_scale(rows[k], row[k]));
+	return sum;
 }
 
-/* target -= left * right^T, the lower triangle or the whole block */
-CNI_INLINE void block_update(float *target, const float *left, const float *right, int32_t lower, int32_t w)
+/* Products with a block of two rows on the left: its elements of column 0 and 1, twice each. */
+CNI_INLINE cni_four two_times(cni_four left, cni_four row0, cni_four row1)
 {
-	int32_t i, l, k;
-	for (i = 0; i < w; ++i)
-		for (l = 0; l < (lower ? i + 1 : w); ++l) {
-			float sum = left[i * w] * right[l * w];
-			for (k = 1; k < w; ++k)
-				sum += left[i * w + k] * right[l * w + k];
-			target[i * w + l] -= sum;
-		}
+	return cni_four_add(cni_four_times(CNI_FOUR_PICK(left, left, 0, 0, 2, 2), row0), cni_four_times(CNI_FOUR_PICK(left, left, 1, 1, 3, 3), row1));
 }
 
-/* The same for `count` consecutive whole blocks. */
-CNI_INLINE void blocks_update(float *target, const float *left, const float *right, int32_t count, int32_t w)
+/* A block on the right of products, by its first columns: rows of its transpose, or of itself. */
+typedef struct factor_rows {
+	cni_four row[CNI_NODE_ROWS];
+} factor_rows;
+
+CNI_INLINE factor_rows rows_of(const float *block, int32_t w)
 {
-	int32_t n;
-#if CNI_WIDTH == 4
+	factor_rows f;
+	cni_four b = cni_four_load(block);
 	if (w == 2) {
-		cni_wide first = { right[0], right[2], right[0], right[2] }, second = { right[1], right[3], right[1], right[3] };
-		for (n = 0; n < count; ++n) {
-			cni_wide b = cni_wide_load(left + n * 4);
-			cni_wide sum = __builtin_shufflevector(b, b, 0, 0, 2, 2) * first;
-			sum += __builtin_shufflevector(b, b, 1, 1, 3, 3) * second;
-			cni_wide_store(target + n * 4, cni_wide_load(target + n * 4) - sum);
-		}
-		return;
+		f.row[0] = CNI_FOUR_PICK(b, b, 0, 1, 0, 1);
+		f.row[1] = f.row[2] = CNI_FOUR_PICK(b, b, 2, 3, 2, 3);
+		return f;
 	}
-#endif
-	for (n = 0; n < count; ++n)
-		block_update(target + n * w * w, left + n * w * w, right, 0, w);
+	f.row[0] = b;
+	f.row[1] = cni_four_load(block + 4);
+	f.row[2] = cni_four_load(block + 8);
+	return f;
+}
+
+CNI_INLINE factor_rows columns_of(const float *block, int32_t w)
+{
+	factor_rows f = rows_of(block, w);
+	if (w == 2) {
+		cni_four b = cni_four_load(block);
+		f.row[0] = CNI_FOUR_PICK(b, b, 0, 2, 0, 2);
+		f.row[1] = f.row[2] = CNI_FOUR_PICK(b, b, 1, 3, 1, 3);
+	} else
+		cni_four_columns(&f.row[0], &f.row[1], &f.row[2]);
+	return f;
+}
+
+/* out = block * right */
+CNI_INLINE void block_times(const float *block, const factor_rows *right, float *out, int32_t used, int32_t w)
+{
+	int32_t i;
+	if (w == 2)
+		cni_four_store(out, two_times(cni_four_load(block), right->row[0], right->row[1]));
+	for (i = 0; i < 3 && w == 3; ++i)
+		cni_four_store(out + 4 * i, row_times(block + 4 * i, right->row, used));
+}
+
+/* target -= left * right, for `count` consecutive blocks */
+CNI_INLINE void blocks_update(float *target, const float *left, const factor_rows *right, int32_t count, int32_t used, int32_t w)
+{
+	const int32_t vectors = count * (int32_t)(block_floats(w) / 4);
+	int32_t i;
+	for (i = 0; i < vectors; ++i) {
+		float *t = target + 4 * i;
+		cni_four product = w == 2 ? two_times(cni_four_load(left + 4 * i), right->row[0], right->row[1]) : row_times(left + 4 * i, right->row, used);
+		cni_four_store(t, cni_four_subtract(cni_four_load(t), product));
+	}
 }
 
 /* Number of blocks from e on (before `end`) that are consecutive in another column from `at` on. That column contains all
@@ -187,45 +215,60 @@ CNI_INLINE int32_t run_length(const cni_sparse *s, int32_t e, int32_t end, int32
 	return count;
 }
 
-/* Eliminates node k from all later nodes. */
-CNI_INLINE void node_eliminate(const cni_sparse *s, const region *r, int32_t k, int32_t w)
+/* Eliminates node k, of which `used` rows are not zero, from all later nodes. */
+CNI_INLINE void node_eliminate(const cni_sparse *s, const region *r, int32_t k, int32_t used, int32_t w)
 {
 	int32_t e, f, run, end = s->first[k + 1];
-	const float *pivot = pivot_at(r, k, w);
+	const factor_rows pivot = rows_of(pivot_at(r, k, w), w);
 	for (e = s->first[k]; e < end; ++e) {
 		int32_t m = s->below[e], at = s->first[m];
-		float scaled[STRIDE];
-		block_times(block_at(r, e, w), pivot, scaled, w);
-		block_update(pivot_at(r, m, w), scaled, block_at(r, e, w), 1, w);
+		factor_rows right = columns_of(block_at(r, e, w), w);
+		float scaled[CNI_BLOCK_FLOATS];
+		block_times(block_at(r, e, w), &pivot, scaled, used, w);
+		blocks_update(pivot_at(r, m, w), scaled, &right, 1, used, w);
+		if (e + 1 < end)
+			right = columns_of(scaled, w);
 		for (f = e + 1; f < end; f += run, at += run) {
 			while (s->below[at] != s->below[f])
 				++at;
 			run = run_length(s, f, end, at, s->first[m + 1]);
-			blocks_update(block_at(r, at, w), block_at(r, f, w), scaled, run, w);
+			blocks_update(block_at(r, at, w), block_at(r, f, w), &right, run, used, w);
 		}
 	}
+}
+
+/* Number of the leading rows that are not zero, at least 1. */
+static int32_t rows_used(const cni_levers *l)
+{
+	int32_t i;
+	for (i = CNI_NODE_ROWS - 1; i > 0; --i)
+		if (l->aw[i] != 0.0f || l->bw[i] != 0.0f || l->ax[i] != 0.0f || l->ay[i] != 0.0f || l->bx[i] != 0.0f || l->by[i] != 0.0f)
+			break;
+	return i + 1;
 }
 
 CNI_INLINE void factor(cni_sparse *s, const cni_component *c, const cni_motion *motions, int32_t w)
 {
 	region r = region_of(s, c);
 	float least = cni_max(CNI_PIVOT_LEAST, PIVOT_LEAST_REGULAR * c->regular);
-	int32_t k, i;
+	int32_t k;
 	if (!c->tree)
-		memset(r.blocks, 0, sizeof(float) * (size_t)(w * w) * (size_t)(s->first[c->end] - r.block_first));
-	for (k = c->begin; k < c->end; ++k) {
-		float *d = pivot_at(&r, k, w);
-		diagonal_form(&s->nodes[k], d, motions, c->regular, w);
-		for (i = 0; i < w; ++i)
-			s->nodes[k].least[i] = least * d[i * w + i];
-	}
+		memset(r.blocks, 0, sizeof(float) * block_floats(w) * (size_t)(s->first[c->end] - r.block_first));
+	for (k = c->begin; k < c->end; ++k)
+		diagonal_form(&s->nodes[k], pivot_at(&r, k, w), motions, c->regular, least, w);
 	for (k = c->coupling_begin; k < c->coupling_end && c->tree; ++k) /* in a tree each coupling has its own block */
 		coupling_add(s, &s->couplings[k], motions, block_at(&r, s->couplings[k].block, w), 1, w);
 	for (k = c->coupling_begin; k < c->coupling_end && !c->tree; ++k)
 		coupling_add(s, &s->couplings[k], motions, block_at(&r, s->couplings[k].block, w), 0, w);
 	for (k = c->begin; k < c->end; ++k) {
+		int32_t used = w == 2 ? 2 : rows_used(&s->nodes[k].levers);
 		pivot_invert(pivot_at(&r, k, w), s->nodes[k].least, w);
-		node_eliminate(s, &r, k, w);
+		if (w == 2 || used == 2)
+			node_eliminate(s, &r, k, 2, w);
+		else if (used == 1)
+			node_eliminate(s, &r, k, 1, w);
+		else
+			node_eliminate(s, &r, k, 3, w);
 	}
 }
 
@@ -239,62 +282,54 @@ void cni_sparse_factor(cni_sparse *s, const cni_component *c, const cni_motion *
 
 /* ---- solution ---- */
 
-/* y -= block x, or its transpose */
-CNI_INLINE void block_take(float *y, const float *block, const float *x, int32_t transposed, int32_t w)
+/* The sum of these rows, each times its element of x; of blocks of two rows only the first two lanes count. */
+CNI_INLINE cni_four rows_apply(const factor_rows *f, const float *x, int32_t w)
 {
-	int32_t i, k;
-	for (i = 0; i < w; ++i) {
-		float sum = block[transposed ? i : i * w] * x[0];
-		for (k = 1; k < w; ++k)
-			sum += block[transposed ? k * w + i : i * w + k] * x[k];
-		y[i] -= sum;
-	}
+	return row_times(x, f->row, w);
 }
 
-/* out = pivot x */
-CNI_INLINE void pivot_apply(const float *pivot, const float *x, float *out, int32_t w)
+CNI_INLINE void numbers_store(float *x, cni_four a, int32_t w)
 {
-	int32_t i, k;
-	for (i = 0; i < w; ++i) {
-		float sum = pivot[i * w] * x[0];
-		for (k = 1; k < w; ++k)
-			sum += pivot[i * w + k] * x[k];
-		out[i] = sum;
-	}
+	if (w == 2)
+		cni_four_store_two(x, a);
+	else
+		cni_four_store(x, a);
 }
 
-/* The x of a node; those of consecutive nodes are `stride` bytes apart. */
-CNI_INLINE float *numbers_at(uint8_t *x, const cni_component *c, int32_t node, size_t stride)
-{
-	return (float *)(void *)(x + (size_t)(node - c->begin) * stride);
-}
-
-CNI_INLINE int32_t solve(cni_sparse *s, const cni_component *c, uint8_t *x, size_t stride, int32_t w)
+CNI_INLINE int32_t solve(cni_sparse *s, const cni_component *c, int32_t w)
 {
 	region r = region_of(s, c);
-	int32_t k, e, i;
-	float finite = 0.0f; /* sum of 0 * x: stays 0 while all x are finite */
+	cni_node *nodes = s->nodes;
+	int32_t k, e;
+	float sums[4] = { 0.0f, 0.0f, 0.0f, 0.0f }; /* of 0 * x: stay 0 while all x are finite */
+	cni_four finite = cni_four_load(sums);
 	for (k = c->begin; k < c->end; ++k) {
-		float z[CNI_NODE_ROWS];
-		pivot_apply(pivot_at(&r, k, w), numbers_at(x, c, k, stride), z, w);
-		for (e = s->first[k]; e < s->first[k + 1]; ++e)
-			block_take(numbers_at(x, c, s->below[e], stride), block_at(&r, e, w), z, 0, w);
-	}
-	for (k = c->end - 1; k >= c->begin; --k) {
-		float *y = numbers_at(x, c, k, stride), out[CNI_NODE_ROWS];
-		for (e = s->first[k]; e < s->first[k + 1]; ++e)
-			block_take(y, block_at(&r, e, w), numbers_at(x, c, s->below[e], stride), 1, w);
-		pivot_apply(pivot_at(&r, k, w), y, out, w);
-		for (i = 0; i < w; ++i) {
-			y[i] = out[i];
-			finite += 0.0f * out[i];
+		float z[4];
+		factor_rows pivot = rows_of(pivot_at(&r, k, w), w);
+		cni_four_store(z, rows_apply(&pivot, nodes[k].x, w));
+		for (e = s->first[k]; e < s->first[k + 1]; ++e) {
+			factor_rows columns = columns_of(block_at(&r, e, w), w);
+			float *y = nodes[s->below[e]].x;
+			numbers_store(y, cni_four_subtract(cni_four_load(y), rows_apply(&columns, z, w)), w);
 		}
 	}
-	return finite == 0.0f;
+	for (k = c->end - 1; k >= c->begin; --k) {
+		factor_rows pivot = rows_of(pivot_at(&r, k, w), w);
+		cni_four y = cni_four_load(nodes[k].x);
+		for (e = s->first[k]; e < s->first[k + 1]; ++e) {
+			factor_rows rows = rows_of(block_at(&r, e, w), w);
+			y = cni_four_subtract(y, rows_apply(&rows, nodes[s->below[e]].x, w));
+		}
+		numbers_store(nodes[k].x, y, w);
+		y = rows_apply(&pivot, nodes[k].x, w);
+		numbers_store(nodes[k].x, y, w);
+		finite = cni_four_add(finite, cni_four_scale(y, 0.0f));
+	}
+	cni_four_store(sums, finite);
+	return sums[0] + sums[1] == 0.0f && (w == 2 || sums[2] == 0.0f);
 }
 
 int32_t cni_sparse_solve(cni_sparse *s, const cni_component *c)
 {
-	uint8_t *x = (uint8_t *)&s->nodes[c->begin] + offsetof(cni_node, x);
-	return c->width == 2 ? solve(s, c, x, sizeof(cni_node), 2) : solve(s, c, x, sizeof(cni_node), 3);
+	return c->width == 2 ? solve(s, c, 2) : solve(s, c, 3);
 }

@@ -208,7 +208,7 @@ static inline void fill_nodes(problem *p)
 	for (k = 0; k < p->sparse.node_count; ++k) {
 		cni_node *n = &p->sparse.nodes[k];
 		for (i = 0; i < n->rows; ++i) {
-			n->lever[i] = p->lever[n->owner - 1000][i];
+			cni_levers_set(&n->levers, i, p->lever[n->owner - 1000][i]);
 			n->compliance[i] = p->compliance[n->owner - 1000][i];
 			n->x[i] = p->side[n->owner - 1000][i];
 		}

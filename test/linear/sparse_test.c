@@ -356,7 +356,7 @@ static void t_rows_that_act_on_nothing_get_nothing(void)
 
 static void t_the_same_twice(void)
 {
-	static float first[ROWS_MOST];
+	static float first[LINKS_MOST * CNI_NODE_LANES];
 	static int32_t owners[LINKS_MOST];
 	problem *p;
 	int32_t k, round;
@@ -372,15 +372,15 @@ static void t_the_same_twice(void)
 		for (k = 0; k < p->sparse.node_count; ++k) {
 			const cni_node *n = &p->sparse.nodes[k];
 			if (round == 0) {
-				memcpy(first + k * CNI_NODE_ROWS, n->x, sizeof n->x);
+				memcpy(first + k * CNI_NODE_LANES, n->x, sizeof n->x);
 				owners[k] = n->owner;
 			}
-			differs += owners[k] != n->owner || memcmp(first + k * CNI_NODE_ROWS, n->x, sizeof n->x) != 0;
+			differs += owners[k] != n->owner || memcmp(first + k * CNI_NODE_LANES, n->x, sizeof n->x) != 0;
 		}
 		CHECK(differs == 0);
 		solve(p, 1e-5f); /* again with the same plan */
 		for (differs = k = 0; k < p->sparse.node_count; ++k)
-			differs += memcmp(first + k * CNI_NODE_ROWS, p->sparse.nodes[k].x, sizeof p->sparse.nodes[k].x) != 0;
+			differs += memcmp(first + k * CNI_NODE_LANES, p->sparse.nodes[k].x, sizeof p->sparse.nodes[k].x) != 0;
 		CHECK(differs == 0);
 		end(p);
 	}
