@@ -110,7 +110,7 @@ static int32_t tree_order(cni_planner *p, int64_t most)
 		return 1;
 	}
 	for (k = 0; k < p->member_count; ++k) {
-		int32_t node = p->member[forward ? k : p->member_count - 1 - k];
+		int32_t from = p->member_count - 1 - (forward ? k / 2 : k), node = p->member[forward && k % 2 == 0 ? k / 2 : from];
 		p->order[base + k] = node;
 		p->position[node] = base + k;
 	}
