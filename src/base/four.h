@@ -11,11 +11,10 @@
 
 typedef float cni_four __attribute__((vector_size(16)));
 typedef float cni_four_loose __attribute__((vector_size(16), aligned(4), may_alias));
-typedef float cni_two_loose __attribute__((vector_size(8), aligned(4), may_alias));
 
+CNI_INLINE cni_four cni_four_of(float x, float y, float z, float w) { return (cni_four){ x, y, z, w }; }
 CNI_INLINE cni_four cni_four_load(const float *p) { return *(const cni_four_loose *)(const void *)p; }
 CNI_INLINE void cni_four_store(float *p, cni_four a) { *(cni_four_loose *)(void *)p = a; }
-CNI_INLINE void cni_four_store_two(float *p, cni_four a) { *(cni_two_loose *)(void *)p = __builtin_shufflevector(a, a, 0, 1); }
 CNI_INLINE cni_four cni_four_add(cni_four a, cni_four b) { return a + b; }
 CNI_INLINE cni_four cni_four_subtract(cni_four a, cni_four b) { return a - b; }
 CNI_INLINE cni_four cni_four_times(cni_four a, cni_four b) { return a * b; }
@@ -36,9 +35,9 @@ typedef struct cni_four {
 		out.lane[l] = (expression);                                 \
 	return out
 
+CNI_INLINE cni_four cni_four_of(float x, float y, float z, float w) { return (cni_four){ { x, y, z, w } }; }
 CNI_INLINE cni_four cni_four_load(const float *p) { CNI_FOUR_LANES(p[l]); }
 CNI_INLINE void cni_four_store(float *p, cni_four a) { memcpy(p, a.lane, sizeof a.lane); }
-CNI_INLINE void cni_four_store_two(float *p, cni_four a) { memcpy(p, a.lane, 2 * sizeof *p); }
 CNI_INLINE cni_four cni_four_add(cni_four a, cni_four b) { CNI_FOUR_LANES(a.lane[l] + b.lane[l]); }
 CNI_INLINE cni_four cni_four_subtract(cni_four a, cni_four b) { CNI_FOUR_LANES(a.lane[l] - b.lane[l]); }
 CNI_INLINE cni_four cni_four_times(cni_four a, cni_four b) { CNI_FOUR_LANES(a.lane[l] * b.lane[l]); }

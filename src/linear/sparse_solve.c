@@ -109,28 +109,37 @@ CNI_INLINE float pivot_inverse(float pivot, float least)
 	return pivot > least ? 1.0f / pivot : 0.0f;
 }
 
+/* A block by its rows or columns. Those of a block of two rows are repeated in the last two lanes. */
+typedef struct factor_rows {
+	cni_four row[CNI_NODE_ROWS];
+} factor_rows;
+
 /*
- * Inverts a symmetric block, given by its lower triangle, in place by LDL^T. A row whose pivot has cancelled to below
- * `least` is zero in the inverse, so that it gets no impulse.
+ * Inverts a symmetric block, given by its lower triangle, in place by LDL^T, and returns the inverse's rows. A row whose pivot has cancelled
+ * to below `least` is zero in the inverse, so that it gets no impulse.
  */
-CNI_INLINE void pivot_invert(float *d, const float *least, int32_t w)
+CNI_INLINE factor_rows pivot_invert(float *d, const float *least, int32_t w)
 {
+	factor_rows f;
 	if (w == 2) {
 		float i0 = pivot_inverse(d[0], least[0]), l10 = d[2] * i0, i1 = pivot_inverse(d[3] - l10 * d[2], least[1]);
-		d[0] = i0 + l10 * l10 * i1;
-		d[1] = d[2] = -l10 * i1;
-		d[3] = i1;
+		float d0 = i0 + l10 * l10 * i1, d1 = -l10 * i1;
+		f.row[0] = cni_four_of(d0, d1, d0, d1);
+		f.row[1] = f.row[2] = cni_four_of(d1, i1, d1, i1);
+		cni_four_store(d, cni_four_of(d0, d1, d1, i1));
 	} else {
 		float i0 = pivot_inverse(d[0], least[0]), l10 = d[4] * i0, l20 = d[8] * i0;
 		float i1 = pivot_inverse(d[5] - l10 * d[4], least[1]), c21 = d[9] - l20 * d[4], l21 = c21 * i1;
 		float i2 = pivot_inverse(d[10] - l20 * d[8] - l21 * c21, least[2]), t20 = l10 * l21 - l20;
-		d[0] = i0 + l10 * l10 * i1 + t20 * t20 * i2;
-		d[4] = d[1] = -l10 * i1 - t20 * l21 * i2;
-		d[8] = d[2] = t20 * i2;
-		d[5] = i1 + l21 * l21 * i2;
-		d[9] = d[6] = -l21 * i2;
-		d[10] = i2;
+		float d1 = -l10 * i1 - t20 * l21 * i2, d2 = t20 * i2, d5 = -l21 * i2;
+		int32_t i;
+		f.row[0] = cni_four_of(i0 + l10 * l10 * i1 + t20 * t20 * i2, d1, d2, 0.0f);
+		f.row[1] = cni_four_of(d1, i1 + l21 * l21 * i2, d5, 0.0f);
+		f.row[2] = cni_four_of(d2, d5, i2, 0.0f);
+		for (i = 0; i < 3; ++i)
+			cni_four_store(d + 4 * i, f.row[i]);
 	}
+	return f;
 }
 
 /* One row of a product: the sum over its first `used` elements of an element times a row. */
@@ -148,11 +157,6 @@ CNI_INLINE cni_four two_times(cni_four left, cni_four row0, cni_four row1)
 {
 	return cni_four_add(cni_four_times(CNI_FOUR_PICK(left, left, 0, 0, 2, 2), row0), cni_four_times(CNI_FOUR_PICK(left, left, 1, 1, 3, 3), row1));
 }
-
-/* A block on the right of products, by its first columns: rows of its transpose, or of itself. */
-typedef struct factor_rows {
-	cni_four row[CNI_NODE_ROWS];
-} factor_rows;
 
 CNI_INLINE factor_rows rows_of(const float *block, int32_t w)
 {
@@ -181,14 +185,14 @@ CNI_INLINE factor_rows columns_of(const float *block, int32_t w)
 	return f;
 }
 
-/* out = block * right */
-CNI_INLINE void block_times(const float *block, const factor_rows *right, float *out, int32_t used, int32_t w)
+/* block *= right */
+CNI_INLINE void block_times(float *block, const factor_rows *right, int32_t used, int32_t w)
 {
 	int32_t i;
 	if (w == 2)
-		cni_four_store(out, two_times(cni_four_load(block), right->row[0], right->row[1]));
+		cni_four_store(block, two_times(cni_four_load(block), right->row[0], right->row[1]));
 	for (i = 0; i < 3 && w == 3; ++i)
-		cni_four_store(out + 4 * i, row_times(block + 4 * i, right->row, used));
+		cni_four_store(block + 4 * i, row_times(block + 4 * i, right->row, used));
 }
 
 /* target -= left * right, for `count` consecutive blocks */
@@ -215,16 +219,16 @@ CNI_INLINE int32_t run_length(const cni_sparse *s, int32_t e, int32_t end, int32
 	return count;
 }
 
-/* Eliminates node k, of which `used` rows are not zero, from all later nodes. */
+/* Eliminates node k, of which `used` rows are not zero, from all later nodes. Its blocks are multiplied by its pivot. */
 CNI_INLINE void node_eliminate(const cni_sparse *s, const region *r, int32_t k, int32_t used, int32_t w)
 {
 	int32_t e, f, run, end = s->first[k + 1];
-	const factor_rows pivot = rows_of(pivot_at(r, k, w), w);
+	const factor_rows pivot = pivot_invert(pivot_at(r, k, w), s->nodes[k].least, w);
 	for (e = s->first[k]; e < end; ++e) {
 		int32_t m = s->below[e], at = s->first[m];
 		factor_rows right = columns_of(block_at(r, e, w), w);
-		float scaled[CNI_BLOCK_FLOATS];
-		block_times(block_at(r, e, w), &pivot, scaled, used, w);
+		float *scaled = block_at(r, e, w);
+		block_times(scaled, &pivot, used, w);
 		blocks_update(pivot_at(r, m, w), scaled, &right, 1, used, w);
 		if (e + 1 < end)
 			right = columns_of(scaled, w);
@@ -262,7 +266,6 @@ CNI_INLINE void factor(cni_sparse *s, const cni_component *c, const cni_motion *
 		coupling_add(s, &s->couplings[k], motions, block_at(&r, s->couplings[k].block, w), 0, w);
 	for (k = c->begin; k < c->end; ++k) {
 		int32_t used = w == 2 ? 2 : rows_used(&s->nodes[k].levers);
-		pivot_invert(pivot_at(&r, k, w), s->nodes[k].least, w);
 		if (w == 2 || used == 2)
 			node_eliminate(s, &r, k, 2, w);
 		else if (used == 1)
@@ -282,51 +285,44 @@ void cni_sparse_factor(cni_sparse *s, const cni_component *c, const cni_motion *
 
 /* ---- solution ---- */
 
-/* The sum of these rows, each times its element of x; of blocks of two rows only the first two lanes count. */
-CNI_INLINE cni_four rows_apply(const factor_rows *f, const float *x, int32_t w)
+/* The sum of these rows, each times its lane of x. */
+CNI_INLINE cni_four rows_apply(const factor_rows *f, cni_four x, int32_t w)
 {
-	return row_times(x, f->row, w);
+	cni_four sum = cni_four_times(f->row[0], CNI_FOUR_PICK(x, x, 0, 0, 0, 0));
+	sum = cni_four_add(sum, cni_four_times(f->row[1], CNI_FOUR_PICK(x, x, 1, 1, 1, 1)));
+	return w == 2 ? sum : cni_four_add(sum, cni_four_times(f->row[2], CNI_FOUR_PICK(x, x, 2, 2, 2, 2)));
 }
 
-CNI_INLINE void numbers_store(float *x, cni_four a, int32_t w)
-{
-	if (w == 2)
-		cni_four_store_two(x, a);
-	else
-		cni_four_store(x, a);
-}
-
+/* Solves L D L^T x = b: pivots are the inverse of D. */
 CNI_INLINE int32_t solve(cni_sparse *s, const cni_component *c, int32_t w)
 {
 	region r = region_of(s, c);
 	cni_node *nodes = s->nodes;
+	const cni_four zero = cni_four_of(0.0f, 0.0f, 0.0f, 0.0f);
+	cni_four finite = zero; /* sum of 0 * x: stays 0 while all x are finite */
 	int32_t k, e;
-	float sums[4] = { 0.0f, 0.0f, 0.0f, 0.0f }; /* of 0 * x: stay 0 while all x are finite */
-	cni_four finite = cni_four_load(sums);
+	float sums[4];
 	for (k = c->begin; k < c->end; ++k) {
-		float z[4];
-		factor_rows pivot = rows_of(pivot_at(&r, k, w), w);
-		cni_four_store(z, rows_apply(&pivot, nodes[k].x, w));
+		cni_four x = cni_four_load(nodes[k].x);
 		for (e = s->first[k]; e < s->first[k + 1]; ++e) {
 			factor_rows columns = columns_of(block_at(&r, e, w), w);
 			float *y = nodes[s->below[e]].x;
-			numbers_store(y, cni_four_subtract(cni_four_load(y), rows_apply(&columns, z, w)), w);
+			cni_four_store(y, cni_four_subtract(cni_four_load(y), rows_apply(&columns, x, w)));
 		}
 	}
 	for (k = c->end - 1; k >= c->begin; --k) {
 		factor_rows pivot = rows_of(pivot_at(&r, k, w), w);
-		cni_four y = cni_four_load(nodes[k].x);
+		cni_four x = rows_apply(&pivot, cni_four_load(nodes[k].x), w);
 		for (e = s->first[k]; e < s->first[k + 1]; ++e) {
 			factor_rows rows = rows_of(block_at(&r, e, w), w);
-			y = cni_four_subtract(y, rows_apply(&rows, nodes[s->below[e]].x, w));
+			x = cni_four_subtract(x, rows_apply(&rows, cni_four_load(nodes[s->below[e]].x), w));
 		}
-		numbers_store(nodes[k].x, y, w);
-		y = rows_apply(&pivot, nodes[k].x, w);
-		numbers_store(nodes[k].x, y, w);
-		finite = cni_four_add(finite, cni_four_scale(y, 0.0f));
+		x = w == 2 ? CNI_FOUR_PICK(x, zero, 0, 1, 4, 4) : x;
+		cni_four_store(nodes[k].x, x);
+		finite = cni_four_add(finite, cni_four_times(zero, x));
 	}
 	cni_four_store(sums, finite);
-	return sums[0] + sums[1] == 0.0f && (w == 2 || sums[2] == 0.0f);
+	return sums[0] + sums[1] + sums[2] == 0.0f;
 }
 
 int32_t cni_sparse_solve(cni_sparse *s, const cni_component *c)
