@@ -7,6 +7,8 @@
 
 #include "base/cpu.h"
 
+#include <string.h>
+
 #if CNI_HAS_WIDE_4
 
 typedef float cni_four __attribute__((vector_size(16)));

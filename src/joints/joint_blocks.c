@@ -478,6 +478,12 @@ typedef struct color_pass {
 	int32_t first_rows;            /* first block of rows */
 } color_pass;
 
+/* 1: the direct solver solves all pins of the block, and it has no springs, motors or limits. */
+static int32_t nothing_is_left(const cni_joint_block *block, int32_t lanes)
+{
+	return block->angular == 0 && block->direct == (1u << lanes) - 1u;
+}
+
 static void color_pass_run(void *context, int32_t begin, int32_t end, int32_t worker)
 {
 	const color_pass *c = (const color_pass *)context;
@@ -486,11 +492,14 @@ static void color_pass_run(void *context, int32_t begin, int32_t end, int32_t wo
 	(void)worker;
 	for (k = begin; k < end && k < c->blocks; ++k) {
 		cni_joint_block *block = cni_joint_blocks(world) + cni_joint_blocks(world)[c->first + k].listed;
+		int32_t lanes = cni_min_i(c->lanes - k * CNI_LANES, CNI_LANES);
 		if (block->direct != 0 && c->moving)
 			rows_to_lanes(world, block);
 		else if (block->direct != 0 && c->released)
 			released_check(world, block);
-		c->run(cni_motions(world), cni_starts(world), block, &c->pass, cni_min_i(c->lanes - k * CNI_LANES, CNI_LANES));
+		if (!c->moving && nothing_is_left(block, lanes))
+			continue;
+		c->run(cni_motions(world), cni_starts(world), block, &c->pass, lanes);
 		if (block->direct != 0 && c->moving)
 			lanes_to_rows(world, block);
 	}

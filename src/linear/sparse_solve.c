@@ -116,9 +116,9 @@ typedef struct factor_rows {
 
 /*
  * Inverts a symmetric block, given by its lower triangle, in place by LDL^T, and returns the inverse's rows. A row whose pivot has cancelled
- * to below `least` is zero in the inverse, so that it gets no impulse.
+ * to below `least` is zero in the inverse, so that it gets no impulse, and so is one beyond those used.
  */
-CNI_INLINE factor_rows pivot_invert(float *d, const float *least, int32_t w)
+CNI_INLINE factor_rows pivot_invert(float *d, const float *least, int32_t used, int32_t w)
 {
 	factor_rows f;
 	if (w == 2) {
@@ -129,8 +129,8 @@ CNI_INLINE factor_rows pivot_invert(float *d, const float *least, int32_t w)
 		cni_four_store(d, cni_four_of(d0, d1, d1, i1));
 	} else {
 		float i0 = pivot_inverse(d[0], least[0]), l10 = d[4] * i0, l20 = d[8] * i0;
-		float i1 = pivot_inverse(d[5] - l10 * d[4], least[1]), c21 = d[9] - l20 * d[4], l21 = c21 * i1;
-		float i2 = pivot_inverse(d[10] - l20 * d[8] - l21 * c21, least[2]), t20 = l10 * l21 - l20;
+		float i1 = used < 2 ? 0.0f : pivot_inverse(d[5] - l10 * d[4], least[1]), c21 = d[9] - l20 * d[4], l21 = c21 * i1;
+		float i2 = used < 3 ? 0.0f : pivot_inverse(d[10] - l20 * d[8] - l21 * c21, least[2]), t20 = l10 * l21 - l20;
 		float d1 = -l10 * i1 - t20 * l21 * i2, d2 = t20 * i2, d5 = -l21 * i2;
 		int32_t i;
 		f.row[0] = cni_four_of(i0 + l10 * l10 * i1 + t20 * t20 * i2, d1, d2, 0.0f);
@@ -223,7 +223,7 @@ CNI_INLINE int32_t run_length(const cni_sparse *s, int32_t e, int32_t end, int32
 CNI_INLINE void node_eliminate(const cni_sparse *s, const region *r, int32_t k, int32_t used, int32_t w)
 {
 	int32_t e, f, run, end = s->first[k + 1];
-	const factor_rows pivot = pivot_invert(pivot_at(r, k, w), s->nodes[k].least, w);
+	const factor_rows pivot = pivot_invert(pivot_at(r, k, w), s->nodes[k].least, used, w);
 	for (e = s->first[k]; e < end; ++e) {
 		int32_t m = s->below[e], at = s->first[m];
 		factor_rows right = columns_of(block_at(r, e, w), w);
