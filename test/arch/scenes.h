@@ -886,12 +886,12 @@ typedef struct arch_scene {
 static const arch_scene arch_scenes[ARCH_SCENES] = {
 	{ "shapes", scene_shapes, 0x013c99c8a94b5923 },
 	{ "joints", scene_joints, 0x57a746ac8a36cddf },
-	{ "direct", scene_direct, 0xcb1eb9674c812141 },
-	{ "tiers", scene_tiers, 0x4eb563300105c5fd },
+	{ "direct", scene_direct, 0x115d4f9044c11752 },
+	{ "tiers", scene_tiers, 0xe061b0d24184cf30 },
 	{ "sequential", scene_sequential, 0x746ccf2319ea4fb2 },
 	{ "queries", scene_queries, 0x9078b2fad7e8282c },
-	{ "events", scene_events, 0x56159360279631e8 },
-	{ "file", scene_file, 0x18ee8fbee35db15e },
+	{ "events", scene_events, 0xcf50353871afde1e },
+	{ "file", scene_file, 0xa661aaa67cb4a44e },
 };
 
 /* The number of a scene; 0 if a call failed: arch_failed_line. */
