@@ -169,7 +169,7 @@ CNI_INLINE void matrix_subtract(matrix *t, const matrix *a, const matrix *b)
 	t->m11 -= a->m10 * b->m10 + a->m11 * b->m11;
 }
 
-/* Eliminates a node from all later ones. */
+/* Eliminates a node from all later ones. Its blocks are multiplied by its pivot. */
 CNI_INLINE void node_eliminate(const cni_tree_batch *batch, int32_t node, int32_t l, const matrix *pivot)
 {
 	int32_t e, f, end = batch->first[node + 1];
@@ -179,6 +179,7 @@ CNI_INLINE void node_eliminate(const cni_tree_batch *batch, int32_t node, int32_
 		matrix d = pivot_load(pivot_row(batch, to, l));
 		matrix_subtract(&d, &scaled, &block);
 		pivot_store(pivot_row(batch, to, l), &d);
+		block_store(block_row(batch, e - batch->block_first, l), &scaled);
 		for (f = e + 1; f < end; ++f) {
 			matrix left = block_load(block_row(batch, f - batch->block_first, l)), t;
 			while (batch->below[at] != batch->below[f])
@@ -238,8 +239,7 @@ CNI_INLINE cni_wide system_solve(const cni_tree_batch *batch, int32_t l, pair *x
 	cni_wide finite = cni_wide_of(0.0f); /* 0 times a finite number stays 0 */
 	int32_t k, e;
 	for (k = 0; k < batch->tree.nodes; ++k) {
-		matrix pivot = pivot_load(pivot_row(batch, k, l));
-		pair z = pivot_apply(&pivot, &x[k]);
+		pair z = x[k];
 		for (e = batch->first[k]; e < batch->first[k + 1]; ++e) {
 			matrix m = block_load(block_row(batch, e - batch->block_first, l));
 			pair *y = &x[batch->below[e] - batch->node_first];
@@ -249,13 +249,13 @@ CNI_INLINE cni_wide system_solve(const cni_tree_batch *batch, int32_t l, pair *x
 	}
 	for (k = batch->tree.nodes - 1; k >= 0; --k) {
 		matrix pivot = pivot_load(pivot_row(batch, k, l));
+		x[k] = pivot_apply(&pivot, &x[k]);
 		for (e = batch->first[k]; e < batch->first[k + 1]; ++e) {
 			matrix m = block_load(block_row(batch, e - batch->block_first, l));
 			const pair *z = &x[batch->below[e] - batch->node_first];
 			x[k].x -= m.m00 * z->x + m.m10 * z->y;
 			x[k].y -= m.m01 * z->x + m.m11 * z->y;
 		}
-		x[k] = pivot_apply(&pivot, &x[k]);
 		finite += 0.0f * x[k].x;
 		finite += 0.0f * x[k].y;
 	}

@@ -886,8 +886,8 @@ typedef struct arch_scene {
 static const arch_scene arch_scenes[ARCH_SCENES] = {
 	{ "shapes", scene_shapes, 0x013c99c8a94b5923 },
 	{ "joints", scene_joints, 0x57a746ac8a36cddf },
-	{ "direct", scene_direct, 0x115d4f9044c11752 },
-	{ "tiers", scene_tiers, 0xe061b0d24184cf30 },
+	{ "direct", scene_direct, 0x038f24fb6249f684 },
+	{ "tiers", scene_tiers, 0x2c91204259f3384f },
 	{ "sequential", scene_sequential, 0x746ccf2319ea4fb2 },
 	{ "queries", scene_queries, 0x9078b2fad7e8282c },
 	{ "events", scene_events, 0xcf50353871afde1e },

@@ -28,12 +28,12 @@ static const golden goldens[] = {
 	{ "small_200", 300, 1, 0x28aee4f04e043a96 },
 	{ "small_50_sleep", 600, 1, 0x8ce4e34fa6ab6b1c },
 	{ "dominoes", 400, 1, 0x6e80a7e88e91e3bc },
-	{ "ragdolls", 480, 1, 0x76a132501d0290cb },
+	{ "ragdolls", 480, 1, 0xc88810d28aa8e436 },
 	{ "bridge", 240, 1, 0x7e65abaee47b6d2c },
 	{ "car", 400, 1, 0x28e311b6b19b7930 },
 	{ "mixer", 240, 1, 0x2d234f91152a58e2 },
 	{ "pyramid", 120, 0, 0xbb24e8518c196cd8 },
-	{ "rain", 150, 0, 0xdf6be32712d006f0 },
+	{ "rain", 150, 0, 0x310c22ab4db1fd76 },
 	{ "tumbler_1000", 300, 0, 0x9482ebb19bed98a4 },
 };
 /* clang-format on */
