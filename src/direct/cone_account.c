@@ -13,5 +13,5 @@ void cni_cone_debt_set(const cn_world *world, cni_island *i, int32_t debt)
 
 void cni_cone_motion_owes(const cn_world *world, cni_island *i)
 {
-	cni_cone_debt_set(world, i, cni_max_i(cni_cone_debt(world, i), CNI_CONE_DEBT - CNI_CONE_MOVED));
+	cni_cone_debt_set(world, i, cni_max_i(cni_cone_debt(world, i), CNI_CONE_DEBT + CNI_CONE_REFILL * i->count));
 }

@@ -27,7 +27,7 @@
 #define CNI_CONE_WORK 200000
 #define CNI_CONE_PASS_WORK 100000 /* most of one pass, but for CNI_CONE_FACTORS_LEAST: large walls take 5 to 20, heaps that settle 40 to 60 */
 #define CNI_CONE_DEBT 12000
-#define CNI_CONE_MOVED 500
+#define CNI_CONE_MOVED 0
 #define CNI_CONE_FAILED 21000 /* what a failed attempt owes beside its work: 1,500 steps until the next */
 #define CNI_CONE_FACTORS 30 /* of a pass: a system is too large where so many exceed CNI_CONE_WORK */
 #define CNI_CONE_NODE 16 /* blocks: what a contact costs beside one */
