@@ -366,7 +366,7 @@ int32_t cni_direct_contact_set_follow(const cni_direct_contact_pass *q)
 static int32_t rounds_are_over(const cni_direct_contact_pass *q, int32_t round, int32_t violations)
 {
 	return violations == INT32_MAX || round >= q->rounds || (round >= CNI_CONTACT_SET_ROUNDS_ALL && violations > q->rounds - round) ||
-		(round > 1 && 2 * violations > q->c->end - q->c->begin) || cni_contact_work_is_spent(q->world);
+		(round > 1 && 2 * violations > q->c->end - q->c->begin + 16) || cni_contact_work_is_spent(q->world);
 }
 
 /* Starts from the set of the last pass; if that is violated, from it and all touching points. */
