@@ -884,14 +884,14 @@ typedef struct arch_scene {
 
 #define ARCH_SCENES 8
 static const arch_scene arch_scenes[ARCH_SCENES] = {
-	{ "shapes", scene_shapes, 0x013c99c8a94b5923 },
-	{ "joints", scene_joints, 0x57a746ac8a36cddf },
+	{ "shapes", scene_shapes, 0x8dcef6ef56fd76e0 },
+	{ "joints", scene_joints, 0x2dbc28ffab5549af },
 	{ "direct", scene_direct, 0xcb1eb9674c812141 },
 	{ "tiers", scene_tiers, 0x4eb563300105c5fd },
 	{ "sequential", scene_sequential, 0x746ccf2319ea4fb2 },
-	{ "queries", scene_queries, 0x9078b2fad7e8282c },
-	{ "events", scene_events, 0x56159360279631e8 },
-	{ "file", scene_file, 0x18ee8fbee35db15e },
+	{ "queries", scene_queries, 0x8f88edf789c0a19f },
+	{ "events", scene_events, 0x0e5f511f50955281 },
+	{ "file", scene_file, 0xf5a49594443d183c },
 };
 
 /* The number of a scene; 0 if a call failed: arch_failed_line. */

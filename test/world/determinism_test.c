@@ -24,11 +24,11 @@ typedef struct golden {
 
 /* clang-format off */
 static const golden goldens[] = {
-	{ "falling_hinges", 480, 1, 0xba69b05dbf073836 },
-	{ "small_200", 300, 1, 0x28aee4f04e043a96 },
-	{ "small_50_sleep", 600, 1, 0x8ce4e34fa6ab6b1c },
-	{ "dominoes", 400, 1, 0x6e80a7e88e91e3bc },
-	{ "ragdolls", 480, 1, 0x707c948be3212942 },
+	{ "falling_hinges", 480, 1, 0x951fe3f65e187bae },
+	{ "small_200", 300, 1, 0x457c9790fc1008f3 },
+	{ "small_50_sleep", 600, 1, 0x6996793c00184850 },
+	{ "dominoes", 400, 1, 0xf0cd4a647cf23da5 },
+	{ "ragdolls", 480, 1, 0xc63b811136b64711 },
 	{ "bridge", 240, 1, 0xfb581988502e45e7 },
 	{ "car", 400, 1, 0xe2aedc3a6fb7c505 },
 	{ "mixer", 240, 1, 0x2d234f91152a58e2 },
