@@ -21,7 +21,7 @@
  * are found once, and their sets hold from then on. A heap that was poured would take as much in every step, and is no better for it than
  * soft constraints make it. So what moves owes all that an island may, and a search in vain owes CNI_CONE_FAILED, whatever method it ended
  * with. No pass begins that could not have CNI_CONE_FACTORS_LEAST factorizations. Instructions of 600 steps of poured heaps of 10, 50 and
- * 200 bodies: 58, 125 and 626 M where what moved might spend 500 and only interior points owed, now 24, 74 and 336 M. Arches that boxes
+ * 200 bodies: 58, 125 and 626 M where what moved might spend 500 and only interior points owed, now 25, 77 and 335 M. Arches that boxes
  * fall on stand as often, 95 of 100.
  */
 #define CNI_CONE_WORK 200000
