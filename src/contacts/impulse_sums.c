@@ -205,7 +205,7 @@ static void enters_take(cn_world *world)
 		const cni_contact *c = cni_contact_at(world, ((const cni_event *)log->data + k)->contact);
 		const cni_contact_block *block;
 		int32_t l = c->slot % CNI_LANES;
-		if ((c->flags & (CNI_CONTACT_TOUCHING | CNI_CONTACT_ASLEEP)) != CNI_CONTACT_TOUCHING || cni_block_sums_at(world, c->slot / CNI_LANES) != NULL)
+		if (!cni_contact_has_lane(c) || cni_block_sums_at(world, c->slot / CNI_LANES) != NULL)
 			continue;
 		block = cni_block_at(world, c->slot / CNI_LANES);
 		cni_contact_add_enter_impulses(world, c, block->p[0].jn[l] + block->p[1].jn[l], block->jt[l]);
@@ -244,7 +244,7 @@ static void enters_report(cn_world *world)
 	for (k = 0; k < log->count; ++k) {
 		const cni_contact *c = cni_contact_at(world, ((const cni_event *)log->data + k)->contact);
 		const cni_block_sums *sums;
-		if ((c->flags & (CNI_CONTACT_TOUCHING | CNI_CONTACT_ASLEEP)) != CNI_CONTACT_TOUCHING)
+		if (!cni_contact_has_lane(c))
 			continue;
 		sums = cni_block_sums_at(world, c->slot / CNI_LANES);
 		if (sums != NULL)
