@@ -116,12 +116,8 @@ typedef struct ray_pass {
 
 static void ray_limit(ray_pass *ray, float limit)
 {
-	cni_vec2 end = cni_madd(ray->o, limit, ray->d);
 	ray->limit = limit;
-	ray->box.x0 = cni_min(ray->o.x, end.x);
-	ray->box.x1 = cni_max(ray->o.x, end.x);
-	ray->box.y0 = cni_min(ray->o.y, end.y);
-	ray->box.y1 = cni_max(ray->o.y, end.y);
+	ray->box = cni_aabb_of_segment(ray->o, cni_madd(ray->o, limit, ray->d));
 }
 
 /* Separating axes: x, y and the normal n of d. With c a corner relative to o, n.c = d.x c.y - d.y c.x is least and greatest
