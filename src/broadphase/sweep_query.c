@@ -87,8 +87,9 @@ static void query_loose(const region *r)
 			return;
 }
 
-void cni_sweep_query(const cni_sweep *sweep, const cni_aabb *box, cni_query_fn *visit, void *context)
+void cni_sweep_query(const cni_broadphase *broadphase, const cni_aabb *box, cni_query_fn *visit, void *context)
 {
+	const cni_sweep *sweep = (const cni_sweep *)(const void *)broadphase;
 	cni_sweep_cursor cursor;
 	int32_t tile;
 	region r;
@@ -269,11 +270,11 @@ static void ray_loose(ray_pass *ray)
 			return;
 }
 
-void cni_sweep_ray(const cni_sweep *sweep, cni_vec2 origin, cni_vec2 translation, cni_query_fn *visit, void *context)
+void cni_sweep_ray(const cni_broadphase *broadphase, cni_vec2 origin, cni_vec2 translation, cni_query_fn *visit, void *context)
 {
 	ray_pass ray;
 	int32_t l;
-	ray.sweep = sweep;
+	ray.sweep = (const cni_sweep *)(const void *)broadphase;
 	ray.o = origin;
 	ray.d = translation;
 	ray.visit = visit;
