@@ -19,13 +19,13 @@ typedef struct arch_scene {
 #define ARCH_SCENES 8
 static const arch_scene arch_scenes[ARCH_SCENES] = {
 	{ "shapes", scene_shapes, 0x013c99c8a94b5923 },
-	{ "joints", scene_joints, 0x57a746ac8a36cddf },
-	{ "direct", scene_direct, 0xcb1eb9674c812141 },
+	{ "joints", scene_joints, 0xa1fc64dda3552628 },
+	{ "direct", scene_direct, 0x6730a226e53a919a },
 	{ "tiers", scene_tiers, 0x4eb563300105c5fd },
-	{ "sequential", scene_sequential, 0x746ccf2319ea4fb2 },
+	{ "sequential", scene_sequential, 0x37028daf8c29bd86 },
 	{ "queries", scene_queries, 0x9078b2fad7e8282c },
 	{ "events", scene_events, 0x56159360279631e8 },
-	{ "file", scene_file, 0x18ee8fbee35db15e },
+	{ "file", scene_file, 0x28c40df7944919c3 },
 };
 
 /* The number of a scene; 0 if a call failed: arch_failed_line. */
