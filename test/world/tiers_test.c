@@ -285,7 +285,7 @@ static int32_t net_work(int32_t size, int32_t solver, int32_t which)
 		if (which < 0 || which == k)
 			must(cn_joint_set_solver(world, joints[k], solver), world, "cn_joint_set_solver");
 	CHECK(cn_joint_get_solver(world, joints[which < 0 ? 0 : which], &own) == CN_OK && own == solver);
-	fixture_step(world, 3); /* what is dear is done once, when the joints are new */
+	fixture_step(world, 3); /* what is expensive is done once, when the joints are new */
 	work = fixture_counters(world).direct_work;
 	CHECK(report(world).joints == count);
 	fixture_step(world, 30);
