@@ -178,7 +178,7 @@ struct cn_world {
 	int32_t direct_work;         /* work planned in the last step, substeps included; 0: nothing was solved directly */
 	int32_t direct_failed;       /* 1: direct solving ran out of memory */
 	int32_t cone_work;           /* work of direct/friction_cones.c in this step, and ... */
-	int32_t set_work;            /* ... of direct/contact_active_set.c: direct/direct_contact.h */
+	int32_t set_work;            /* ... of direct/contact_active_set.c, and of failed attempts of direct/rattle.c: direct/direct_contact.h */
 	cni_array direct_plans[2];   /* of linear/sparse_plan.c, kept while nothing changes: the first plan of a step, and the plan without
 	                                refused islands */
 
