@@ -29,7 +29,7 @@ others = [
     ("make test", KNOWN, None),
     ("make coverage", KNOWN, KNOWN),
     ("make lint", KNOWN, KNOWN),
-    ("make mutation", KNOWN, "make mutation QUICK=1 ONLY=sine"),
+    ("make mutation", KNOWN, "make mutation QUICK=1 ONLY=maths.c"),
     ("make fuzz", KNOWN, "make fuzz FUZZ_SECONDS=5 TARGET=geometry"),
     ("make families PEERS", KNOWN, KNOWN),
     ("make families", KNOWN, "make families SEEDS=1 FAMILY=cloth"),

@@ -4,7 +4,8 @@
 # build-folder/scale.
 #
 # The exponent is the slope of log ms over log bodies by least squares, from 1,000 to 100,000 bodies; beside each row
-# stands the local one, from the row before. The exit code is 1 when a kind is above 1.1.
+# stands the local one, from the row before. Kinds above 1.1 are marked; times depend on the machine and what else it runs, so the exit
+# code does not.
 set -u
 cd "$(dirname "$0")/../.." || exit 2
 [ $# -ge 1 ] || { echo "usage: scale.sh build-folder [kind]"; exit 2; }
@@ -19,7 +20,6 @@ function close_kind() {
 		return
 	exponent = (n * sxy - sx * sy) / (n * sxx - sx * sx)
 	verdict = exponent > 1.1 ? "  ABOVE 1.1" : ""
-	failed += verdict != ""
 	last = last sprintf("%s: N^%.2f%s\n", kind, exponent, verdict)
 	printf "%s,%.4f\n", kind, exponent > fits
 }
@@ -50,13 +50,11 @@ NR > 1 {
 END {
 	close_kind()
 	printf "%s", last
-	exit failed > 0
 }' "$out/scale.csv" > "$out/scale.txt"
-result=$?
+[ $? = 0 ] || exit 2
 
 if command -v python3 >/dev/null 2>&1; then
 	python3 examples/bench/scale_plot.py "$out" || exit 2
 	echo "picture: $out/scale.svg"
 fi
 cat "$out/scale.txt"
-exit $result

@@ -72,6 +72,12 @@ static inline int32_t cni_aabb_contains(const cni_aabb *outer, const cni_aabb *i
 {
 	return outer->x0 <= inner->x0 && outer->y0 <= inner->y0 && inner->x1 <= outer->x1 && inner->y1 <= outer->y1;
 }
+/* The box of the segment from a to b. */
+static inline cni_aabb cni_aabb_of_segment(cni_vec2 a, cni_vec2 b)
+{
+	cni_aabb box = { cni_min(a.x, b.x), cni_min(a.y, b.y), cni_max(a.x, b.x), cni_max(a.y, b.y) };
+	return box;
+}
 static inline cni_aabb cni_aabb_union(const cni_aabb *a, const cni_aabb *b)
 {
 	cni_aabb u;

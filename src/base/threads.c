@@ -44,7 +44,7 @@
 #define CLOSED 0x80000000u     /* the worker leaves */
 #define ASLEEP 0x40000000u     /* it waits on the condition variable */
 #define CHUNKS_MOST 0xFFFFu    /* the rest of a word: chunks left */
-#define CHUNKS_A_RUN 16        /* at most: so that little is left to a worker whose core was taken away, or whose items were dear */
+#define CHUNKS_A_RUN 16        /* at most: so that little is left to a worker whose core was taken away, or whose items were expensive */
 #define SPIN_ROUNDS 1000       /* some 10 to 50 us before one who waits offers its core: who it waits for may need it */
 #define YIELD_ROUNDS 4         /* ... so many times, before a worker sleeps */
 #define HELD_ROUNDS 200        /* ... of a team that is held, each after as many rounds: some milliseconds */

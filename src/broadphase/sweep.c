@@ -196,16 +196,6 @@ static void sweep_settle(cni_broadphase *broadphase)
 	cni_sweep_settle(sweep, cni_sweep_team(sweep));
 }
 
-static void sweep_query(const cni_broadphase *broadphase, const cni_aabb *box, cni_query_fn *visit, void *context)
-{
-	cni_sweep_query(const_sweep_of(broadphase), box, visit, context);
-}
-
-static void sweep_ray(const cni_broadphase *broadphase, cni_vec2 origin, cni_vec2 translation, cni_query_fn *visit, void *context)
-{
-	cni_sweep_ray(const_sweep_of(broadphase), origin, translation, visit, context);
-}
-
 /* ---- figures ---- */
 
 static uint64_t array_bytes(const cni_array *array) { return (uint64_t)array->capacity * (uint64_t)array->item_bytes; }
@@ -318,6 +308,6 @@ static void sweep_snapshot(cni_broadphase *broadphase, cni_snapshot *s)
 }
 
 const cni_broadphase_ops cni_broadphase_sweep = {
-	sweep_create, sweep_destroy, sweep_reserve, sweep_add,   sweep_remove, sweep_move,     sweep_touch,       sweep_update,
-	sweep_settle, sweep_query,   sweep_ray,     sweep_bytes, sweep_cells,  sweep_validate, sweep_bytes_needed, sweep_snapshot,
+	sweep_create, sweep_destroy,   sweep_reserve, sweep_add,   sweep_remove, sweep_move,     sweep_touch,        sweep_update,
+	sweep_settle, cni_sweep_query, cni_sweep_ray, sweep_bytes, sweep_cells,  sweep_validate, sweep_bytes_needed, sweep_snapshot,
 };

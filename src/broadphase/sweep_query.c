@@ -87,8 +87,9 @@ static void query_loose(const region *r)
 			return;
 }
 
-void cni_sweep_query(const cni_sweep *sweep, const cni_aabb *box, cni_query_fn *visit, void *context)
+void cni_sweep_query(const cni_broadphase *broadphase, const cni_aabb *box, cni_query_fn *visit, void *context)
 {
+	const cni_sweep *sweep = (const cni_sweep *)(const void *)broadphase;
 	cni_sweep_cursor cursor;
 	int32_t tile;
 	region r;
@@ -116,12 +117,8 @@ typedef struct ray_pass {
 
 static void ray_limit(ray_pass *ray, float limit)
 {
-	cni_vec2 end = cni_madd(ray->o, limit, ray->d);
 	ray->limit = limit;
-	ray->box.x0 = cni_min(ray->o.x, end.x);
-	ray->box.x1 = cni_max(ray->o.x, end.x);
-	ray->box.y0 = cni_min(ray->o.y, end.y);
-	ray->box.y1 = cni_max(ray->o.y, end.y);
+	ray->box = cni_aabb_of_segment(ray->o, cni_madd(ray->o, limit, ray->d));
 }
 
 /* Separating axes: x, y and the normal n of d. With c a corner relative to o, n.c = d.x c.y - d.y c.x is least and greatest
@@ -273,11 +270,11 @@ static void ray_loose(ray_pass *ray)
 			return;
 }
 
-void cni_sweep_ray(const cni_sweep *sweep, cni_vec2 origin, cni_vec2 translation, cni_query_fn *visit, void *context)
+void cni_sweep_ray(const cni_broadphase *broadphase, cni_vec2 origin, cni_vec2 translation, cni_query_fn *visit, void *context)
 {
 	ray_pass ray;
 	int32_t l;
-	ray.sweep = sweep;
+	ray.sweep = (const cni_sweep *)(const void *)broadphase;
 	ray.o = origin;
 	ray.d = translation;
 	ray.visit = visit;

@@ -48,12 +48,8 @@ typedef struct tree_ray {
 
 static void ray_limit(tree_ray *ray, float limit)
 {
-	cni_vec2 end = cni_madd(ray->o, limit, ray->d);
 	ray->limit = limit;
-	ray->box.x0 = cni_min(ray->o.x, end.x);
-	ray->box.x1 = cni_max(ray->o.x, end.x);
-	ray->box.y0 = cni_min(ray->o.y, end.y);
-	ray->box.y1 = cni_max(ray->o.y, end.y);
+	ray->box = cni_aabb_of_segment(ray->o, cni_madd(ray->o, limit, ray->d));
 }
 
 /* Separating axes: x, y and the normal n = (-d.y, d.x) of the ray. A box with centre c relative to o and half sides e

@@ -196,19 +196,24 @@ static void take_range(void *context, int32_t begin, int32_t end, int32_t worker
 	}
 }
 
-/* Contacts that report no more than their ENTER. */
-static void enters_take(cn_world *world)
+/* Adds to the ENTER events: of contacts with sums these, of others the impulses of the substep. */
+static void enters_add(cn_world *world, int32_t summed)
 {
 	const cni_array *log = &world->events.log[CN_EVENT_ENTER];
 	int32_t k;
 	for (k = 0; k < log->count; ++k) {
 		const cni_contact *c = cni_contact_at(world, ((const cni_event *)log->data + k)->contact);
+		int32_t index = c->slot / CNI_LANES, l = c->slot % CNI_LANES;
 		const cni_contact_block *block;
-		int32_t l = c->slot % CNI_LANES;
-		if ((c->flags & (CNI_CONTACT_TOUCHING | CNI_CONTACT_ASLEEP)) != CNI_CONTACT_TOUCHING || cni_block_sums_at(world, c->slot / CNI_LANES) != NULL)
+		const cni_block_sums *sums;
+		if (!cni_contact_has_lane(c))
 			continue;
-		block = cni_block_at(world, c->slot / CNI_LANES);
-		cni_contact_add_enter_impulses(world, c, block->p[0].jn[l] + block->p[1].jn[l], block->jt[l]);
+		block = cni_block_at(world, index);
+		sums = cni_block_sums_at(world, index);
+		if (summed && sums != NULL)
+			cni_contact_add_enter_impulses(world, c, sums->normal[l], sums->friction[l]);
+		else if (!summed && sums == NULL)
+			cni_contact_add_enter_impulses(world, c, block->p[0].jn[l] + block->p[1].jn[l], block->jt[l]);
 	}
 }
 
@@ -216,7 +221,7 @@ void cni_impulse_sums_close(cn_world *world, const cni_solve *s)
 {
 	if (!world->sums_active)
 		return;
-	enters_take(world);
+	enters_add(world, 0);
 	sums_run(world, s, take_range);
 }
 
@@ -237,27 +242,12 @@ static void lane_report(cn_world *world, const cni_block_sums *sums, int32_t l)
 		cni_event_log_hit(world, contact, &of);
 }
 
-static void enters_report(cn_world *world)
-{
-	const cni_array *log = &world->events.log[CN_EVENT_ENTER];
-	int32_t k;
-	for (k = 0; k < log->count; ++k) {
-		const cni_contact *c = cni_contact_at(world, ((const cni_event *)log->data + k)->contact);
-		const cni_block_sums *sums;
-		if ((c->flags & (CNI_CONTACT_TOUCHING | CNI_CONTACT_ASLEEP)) != CNI_CONTACT_TOUCHING)
-			continue;
-		sums = cni_block_sums_at(world, c->slot / CNI_LANES);
-		if (sums != NULL)
-			cni_contact_add_enter_impulses(world, c, sums->normal[c->slot % CNI_LANES], sums->friction[c->slot % CNI_LANES]);
-	}
-}
-
 void cni_impulse_sums_report(cn_world *world)
 {
 	int32_t k, l;
 	if (!world->sums_active)
 		return;
-	enters_report(world);
+	enters_add(world, 1);
 	for (k = 0; k < world->sums_count; ++k)
 		for (l = 0; l < CNI_LANES; ++l)
 			lane_report(world, world->sums + k, l);

@@ -364,11 +364,18 @@ int32_t cni_direct_contact_set_follow(const cni_direct_contact_pass *q)
 	return violations == 0;
 }
 
+/* Structures that have a set violate few rows from the third try on, heaps that have none as many as they have contacts in each. */
+static int32_t is_in_vain(const cni_direct_contact_pass *q, int32_t round, int32_t violations)
+{
+	return q->world->settings.solver == CN_SOLVER_AUTO && q->island->solver == CN_SOLVER_AUTO && round > 1 &&
+		2 * violations > q->c->end - q->c->begin + 16;
+}
+
 /* 1: the search gives up. In later rounds one violated row is fixed a round. */
 static int32_t rounds_are_over(const cni_direct_contact_pass *q, int32_t round, int32_t violations)
 {
 	return violations == INT32_MAX || round >= q->rounds || (round >= CNI_CONTACT_SET_ROUNDS_ALL && violations > q->rounds - round) ||
-		cni_contact_work_is_spent(q->world);
+		is_in_vain(q, round, violations) || cni_contact_work_is_spent(q->world);
 }
 
 /* Starts from the set of the last pass; if that is violated, from it and all touching points. */

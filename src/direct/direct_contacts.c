@@ -294,12 +294,9 @@ static int32_t cone_is_admitted(cni_direct_contact_pass *q)
 	return 1;
 }
 
-/* A failed attempt costs more than its work: in a heap that settles the next one would mostly fail too. */
-static void cone_pay(const cni_direct_contact_pass *q, int32_t factors, int32_t good)
+static void debt_add(const cni_direct_contact_pass *q, int32_t work)
 {
-	int32_t work = factors * work_a_contact(q);
-	cni_contact_work_count(q->world, &q->world->cone_work, factors * cni_cone_factor_work(q->c));
-	cni_cone_debt_set(q->world, q->island, cni_cone_debt(q->world, q->island) + (good ? work : CNI_CONE_FAILED + work));
+	cni_cone_debt_set(q->world, q->island, cni_cone_debt(q->world, q->island) + work);
 }
 
 /* The next passes start from its impulses: starting from none would find redundant ones, some of them negative. */
@@ -311,7 +308,8 @@ static int32_t cone_solve(cni_direct_contact_pass *q)
 	q->warm = 0;
 	cni_direct_contact_round_begin(q);
 	good = cni_direct_contacts_cone(q, &factors);
-	cone_pay(q, factors, good);
+	cni_contact_work_count(q->world, &q->world->cone_work, factors * cni_cone_factor_work(q->c));
+	debt_add(q, factors * work_a_contact(q));
 	if (!good || !energy_fits(q))
 		return 0;
 	q->warm = 1;
@@ -335,6 +333,7 @@ int32_t cni_direct_contacts_solve(cn_world *world, const cni_solve *s, cni_spars
 {
 	cni_direct_contact_pass q = { world, s, sparse, c, cni_motions(world), NULL, CNI_DIRECT_SPEED_LEAST * world->settings.length_unit,
 		bias, 0, CNI_CONTACT_SET_ROUNDS, !bias, 0, 0.0f };
+	int32_t shared = world->cone_work + world->set_work > 0;
 	if (!bias && c->nothing_pushed)
 		return 1;
 	c->cone_pushed &= !bias;
@@ -352,9 +351,11 @@ int32_t cni_direct_contacts_solve(cn_world *world, const cni_solve *s, cni_spars
 		solution_accept(&q);
 		return 1;
 	}
-	c->denied = q.denied || cni_contact_work_is_spent(world);
+	c->denied = q.denied || (shared && cni_contact_work_is_spent(world));
 	if ((q.kept || (c->denied && c->cone_ran)) && solve_with_kept_set(&q))
 		return 1;
+	if (!c->denied)
+		debt_add(&q, CNI_CONE_FAILED);
 	soft_state_restore(&q);
 	return 0;
 }

@@ -130,6 +130,12 @@ static int32_t island_has_waited(const cn_world *world, cni_island *i)
 	return i->asked_steps > CNI_SELECTION_WAIT_STEPS || island_is_still(world, i);
 }
 
+/* An island that moved is not asked before it has rested for as many steps as it has bodies: poured heaps fall asleep before. */
+static void motion_owes(const cn_world *world, cni_island *i)
+{
+	cni_cone_debt_set(world, i, cni_max_i(cni_cone_debt(world, i), CNI_CONE_DEBT + CNI_CONE_REFILL * i->count));
+}
+
 /* Records a bad contact of the island. Of several reasons the highest is reported. */
 static void island_mark_bad(cn_world *world, int32_t island, int32_t reason)
 {
@@ -146,10 +152,12 @@ static void island_mark_bad(cn_world *world, int32_t island, int32_t reason)
 		i->reason = CN_TIER_REASON_CROWDED;
 	else if (!cni_island_is_quiet(world, i)) {
 		i->reason = CN_TIER_REASON_MOVING;
-		cni_cone_motion_owes(world, i);
+		motion_owes(world, i);
 	}
 	else if (cni_island_has_joints(world, island))
 		i->reason = CN_TIER_REASON_JOINTED;
+	else if (cni_cone_debt(world, i) > CNI_CONE_DEBT)
+		i->reason = CN_TIER_REASON_NO_SET;
 	else if (!island_has_waited(world, i))
 		i->reason = CN_TIER_REASON_MOVING;
 	else

@@ -90,6 +90,11 @@ static inline cni_lever cni_row_lever(const cni_row *r)
 	cni_lever l = { r->ax, r->ay, r->aw, r->bx, r->by, r->bw };
 	return l;
 }
+/* Target speed of a motor, which does not pass a limit within the substep: a limit is soft and would give way to a strong motor. */
+static inline float cni_motor_target(const cni_row *r, float inv_h)
+{
+	return cni_clamp(r->target, -cni_max(r->below, 0.0f) * inv_h, cni_max(r->above, 0.0f) * inv_h);
+}
 static inline float cni_row_mass(const cni_row *r, const cni_row *q, const cni_motion *a, const cni_motion *b)
 {
 	return a->inv_mass * (r->ax * q->ax + r->ay * q->ay) + a->inv_inertia * r->aw * q->aw +

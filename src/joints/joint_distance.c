@@ -29,7 +29,7 @@ static int32_t distance_rows(const cni_joint *j, const cni_joint_frame *f, cni_r
 		rows[count++] = cni_row_spring(r, length - j->p[CNI_P_LENGTH], j->p[CNI_P_DISTANCE_HERTZ], j->p[CNI_P_DISTANCE_DAMPING]);
 	}
 	if (j->flags & CN_JOINT_MOTOR)
-		rows[count++] = cni_row_motor(axis_row(f, CNI_ROW_MOTOR, 2, 1.0f, &length), j);
+		rows[count++] = cni_row_motor(axis_row(f, CNI_ROW_MOTOR, 2, 1.0f, &length), j, cni_length(f->d), j->flags & CN_JOINT_LIMIT);
 	if (j->flags & CN_JOINT_LIMIT) {
 		float room, sign = cni_limit_side(cni_length(f->d), j->p[CNI_P_LOWER], j->p[CNI_P_UPPER], &room);
 		rows[count] = axis_row(f, CNI_ROW_LIMIT, 3, sign, &length);

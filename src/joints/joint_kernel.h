@@ -137,10 +137,18 @@ CNI_INLINE void solve_spring(cni_joint_block *k, int32_t l, hinge *g)
 	hinge_turn(g, dj);
 }
 
-CNI_INLINE void solve_motor(cni_joint_block *k, int32_t l, hinge *g, float h)
+/* cni_motor_target */
+CNI_INLINE cni_wide motor_target(cni_wide speed, cni_wide below, cni_wide above, float inv_h)
 {
-	cni_wide old = cni_wide_load(k->motor_j + l), most = cni_wide_load(k->torque + l) * h;
-	cni_wide impulse = cni_wide_min(cni_wide_max(old - g->mass * (g->w - cni_wide_load(k->speed + l)), -most), most);
+	const cni_wide zero = cni_wide_of(0.0f);
+	return cni_wide_min(cni_wide_max(speed, -cni_wide_max(below, zero) * inv_h), cni_wide_max(above, zero) * inv_h);
+}
+
+CNI_INLINE void solve_motor(cni_joint_block *k, int32_t l, hinge *g, const cni_joint_pass *pass)
+{
+	cni_wide old = cni_wide_load(k->motor_j + l), most = cni_wide_load(k->torque + l) * pass->h, angle = cni_wide_load(k->angle + l);
+	cni_wide target = motor_target(cni_wide_load(k->speed + l), angle - cni_wide_load(k->lower + l), cni_wide_load(k->upper + l) - angle, pass->inv_h);
+	cni_wide impulse = cni_wide_min(cni_wide_max(old - g->mass * (g->w - target), -most), most);
 	cni_wide_store(k->motor_j + l, impulse);
 	hinge_turn(g, impulse - old);
 }
@@ -192,7 +200,7 @@ CNI_INLINE void solve_group(cni_joint_block *k, int32_t l, side *a, side *b, con
 			}
 			solve_spring(k, l, &g);
 		}
-		solve_motor(k, l, &g, pass->h);
+		solve_motor(k, l, &g, pass);
 		solve_limits(k, l, &g, pass, bias);
 		t = g.t;
 	}

@@ -18,7 +18,7 @@ static int32_t prismatic_rows(const cni_joint *j, const cni_joint_frame *f, cni_
 	if (j->flags & CN_JOINT_SPRING)
 		rows[count++] = cni_row_spring(cni_row_fixed_direction(f, axis, CNI_ROW_SPRING, 2, 1.0f), along - j->p[CNI_P_TARGET], j->p[CNI_P_HERTZ], j->p[CNI_P_DAMPING]);
 	if (j->flags & CN_JOINT_MOTOR)
-		rows[count++] = cni_row_motor(cni_row_fixed_direction(f, axis, CNI_ROW_MOTOR, 3, 1.0f), j);
+		rows[count++] = cni_row_motor(cni_row_fixed_direction(f, axis, CNI_ROW_MOTOR, 3, 1.0f), j, along, j->flags & CN_JOINT_LIMIT);
 	if (j->flags & CN_JOINT_LIMIT)
 		rows[count++] = cni_row_limit_axis(j, f, axis, 4);
 	return count;

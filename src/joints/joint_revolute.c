@@ -16,7 +16,7 @@ static int32_t revolute_rows(const cni_joint *j, const cni_joint_frame *f, cni_r
 		rows[count++] = cni_row_spring(r, f->angle - j->p[CNI_P_REVOLUTE_TARGET], j->p[CNI_P_REVOLUTE_HERTZ], j->p[CNI_P_REVOLUTE_DAMPING]);
 	}
 	if (j->flags & CN_JOINT_MOTOR)
-		rows[count++] = cni_row_motor(cni_row_angular(CNI_ROW_MOTOR, CNI_REVOLUTE_MOTOR, 1.0f, 1.0f), j);
+		rows[count++] = cni_row_motor(cni_row_angular(CNI_ROW_MOTOR, CNI_REVOLUTE_MOTOR, 1.0f, 1.0f), j, f->angle, j->flags & CN_JOINT_LIMIT);
 	if (j->flags & CN_JOINT_LIMIT)
 		rows[count++] = cni_row_limit_angle(j, f->angle, CNI_REVOLUTE_LIMIT);
 	return count;

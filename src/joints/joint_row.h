@@ -85,10 +85,13 @@ static inline cni_row cni_row_spring(cni_row r, float error, float hertz, float 
 	return r;
 }
 
-static inline cni_row cni_row_motor(cni_row r, const cni_joint *j)
+/* x: the position that the joint's limits bound, if the motor moves along it. */
+static inline cni_row cni_row_motor(cni_row r, const cni_joint *j, float x, uint32_t limited)
 {
 	r.target = j->p[CNI_P_MOTOR_SPEED];
 	r.limit = j->p[CNI_P_MOTOR_MAX];
+	r.below = limited ? x - j->p[CNI_P_LOWER] : CNI_NO_LIMIT;
+	r.above = limited ? j->p[CNI_P_UPPER] - x : CNI_NO_LIMIT;
 	return r;
 }
 

@@ -43,7 +43,8 @@ typedef struct cni_row_block {
 	float lower[CNI_LANES], upper[CNI_LANES];
 	/* as of the last relax pass */
 	cni_lane_row rigid[CNI_JOINT_RIGID_ROWS], free[CNI_FREE_ROWS];
-	float error[CNI_JOINT_RIGID_ROWS][CNI_LANES], stretch[CNI_LANES], room[CNI_LANES];
+	float error[CNI_JOINT_RIGID_ROWS][CNI_LANES], stretch[CNI_LANES];
+	float below[CNI_LANES], above[CNI_LANES]; /* the ways to the limits */
 	float side[CNI_LANES];                 /* of the limit: 1 the lower end, -1 the upper one */
 	float inverse[6][CNI_LANES];           /* of the rigid rows' K: 00 01 02 11 12 22 */
 	float free_mass[CNI_FREE_ROWS][CNI_LANES];

@@ -318,7 +318,8 @@ CNI_INLINE void rows_store(cni_row_block *k, int32_t l, int32_t form, const wide
 		cni_wide_store(k->stretch + l, g->measure - cni_wide_load(k->rest + l));
 	if (k->has & CN_JOINT_LIMIT) {
 		cni_wide low = g->measure - cni_wide_load(k->lower + l), high = cni_wide_load(k->upper + l) - g->measure;
-		cni_wide_store(k->room + l, cni_wide_min(low, high));
+		cni_wide_store(k->below + l, low);
+		cni_wide_store(k->above + l, high);
 		cni_wide_store(k->side + l, cni_wide_select(low <= high, cni_wide_of(1.0f), cni_wide_of(-1.0f)));
 	}
 }
@@ -347,11 +348,14 @@ CNI_INLINE void spring_solve(cni_row_block *k, int32_t l, side *a, side *b)
 	row_push(&r, dj, a, b);
 }
 
-CNI_INLINE void motor_solve(cni_row_block *k, int32_t l, int32_t row, side *a, side *b, float h)
+CNI_INLINE void motor_solve(cni_row_block *k, int32_t l, int32_t row, side *a, side *b, const cni_joint_pass *pass)
 {
 	wide_row r = row_load(&k->free[row], l);
-	cni_wide old = cni_wide_load(k->motor_j + l), mass = cni_wide_load(k->free_mass[row] + l), most = cni_wide_load(k->most + l) * h;
-	cni_wide impulse = cni_wide_min(cni_wide_max(old - mass * (row_speed(&r, a, b) - cni_wide_load(k->speed + l)), -most), most);
+	cni_wide old = cni_wide_load(k->motor_j + l), mass = cni_wide_load(k->free_mass[row] + l), most = cni_wide_load(k->most + l) * pass->h;
+	cni_wide target = cni_wide_load(k->speed + l), impulse;
+	if (row == 0 && (k->has & CN_JOINT_LIMIT))
+		target = motor_target(target, cni_wide_load(k->below + l), cni_wide_load(k->above + l), pass->inv_h);
+	impulse = cni_wide_min(cni_wide_max(old - mass * (row_speed(&r, a, b) - target), -most), most);
 	cni_wide_store(k->motor_j + l, impulse);
 	row_push(&r, impulse - old, a, b);
 }
@@ -360,7 +364,7 @@ CNI_INLINE void limit_solve(cni_row_block *k, int32_t l, side *a, side *b, const
 {
 	wide_row r = row_load(&k->free[0], l);
 	cni_wide old = cni_wide_load(k->limit_j + l), mass = cni_wide_load(k->free_mass[0] + l), sign = cni_wide_load(k->side + l);
-	cni_wide impulse = limit_impulse(old, cni_wide_load(k->room + l), sign * row_speed(&r, a, b), mass, pass, bias);
+	cni_wide impulse = limit_impulse(old, cni_wide_min(cni_wide_load(k->below + l), cni_wide_load(k->above + l)), sign * row_speed(&r, a, b), mass, pass, bias);
 	cni_wide_store(k->limit_j + l, impulse);
 	row_push(&r, sign * (impulse - old), a, b);
 }
@@ -392,7 +396,7 @@ CNI_INLINE void rows_solve(cni_row_block *k, int32_t l, int32_t form, side *a, s
 	if (bias && (k->has & CN_JOINT_SPRING))
 		spring_solve(k, l, a, b);
 	if (k->has & CN_JOINT_MOTOR)
-		motor_solve(k, l, cni_form_motor_row(form), a, b, pass->h);
+		motor_solve(k, l, cni_form_motor_row(form), a, b, pass);
 	if (k->has & CN_JOINT_LIMIT)
 		limit_solve(k, l, a, b, pass, bias);
 	rigid_solve(k, l, cni_form_rigid_rows(form), a, b, pass, bias);

@@ -166,7 +166,7 @@ static void solve_spring(cni_row *r, float mass, cni_motion *a, cni_motion *b, c
 static void solve_motor(cni_row *r, float mass, cni_motion *a, cni_motion *b, const cni_solve *s)
 {
 	float most = r->limit * s->h, old = r->impulse;
-	r->impulse = cni_clamp(old - mass * (cni_row_speed(r, a, b) - r->target), -most, most);
+	r->impulse = cni_clamp(old - mass * (cni_row_speed(r, a, b) - cni_motor_target(r, s->inv_h)), -most, most);
 	cni_row_push(r, r->impulse - old, a, b);
 }
 

@@ -39,6 +39,7 @@ typedef struct cni_row {
 	float error;      /* metres or radians */
 	float target;     /* motor: target speed */
 	float limit;      /* motor: most force or torque; soft: the same, 0: no bound */
+	float below, above; /* motor: the ways to the limits of its coordinate */
 	float hertz, damping_ratio; /* spring, soft, drive */
 	float impulse;    /* accumulated */
 	uint8_t kind;     /* CNI_ROW_* */

@@ -118,7 +118,7 @@ enum {
 	                                      (step/early_rest.c) */
 	CNI_EXTERNAL_DEFERRED = 1u << 7,   /* scratch of a stage, clear outside: marked by a first loop, which workers may share, for a
 	                                      second loop in order */
-	CNI_EXTERNAL_SETTLED = 1u << 8, /* slow for at least the sleep delay */
+	CNI_EXTERNAL_SETTLED = 1u << 8, /* slow for CNI_SETTLED_DELAYS */
 	CNI_EXTERNAL_COLOR_SHIFT = 9    /* bits 9 .. 31: colours of its joints in this step: joints/joint_blocks.c */
 };
 typedef struct cni_external {

@@ -255,6 +255,11 @@ void cni_contact_write(cn_world *world, cni_contact *c, const cni_body *a, const
 /* Writes an empty manifold: the lane stays without effect. */
 void cni_contact_write_empty(cn_world *world, int32_t contact);
 
+/* Its slot is a lane: not one of the apart list or of the sleep store. */
+static inline int32_t cni_contact_has_lane(const cni_contact *c)
+{
+	return (c->flags & (CNI_CONTACT_TOUCHING | CNI_CONTACT_ASLEEP)) == CNI_CONTACT_TOUCHING;
+}
 /* Invalidates the lane's anchor: the next step computes the manifold even without motion. */
 void cni_contact_invalidate(cn_world *world, int32_t contact);
 /* ... of all contacts of a body, after its centre of mass changed. */

@@ -83,19 +83,14 @@ float cni_contact_approach(const cn_world *world, const cni_contact *c)
 void cni_contact_mark_sums(cn_world *world, const cni_contact *c)
 {
 	const uint32_t kinds = (1u << CN_EVENT_STAY | 1u << CN_EVENT_HIT) << CNI_CONTACT_EVENTS_SHIFT;
-	if (CNI_HAS_EVENTS && (c->flags & kinds) && (c->flags & (CNI_CONTACT_TOUCHING | CNI_CONTACT_ASLEEP)) == CNI_CONTACT_TOUCHING)
+	if (CNI_HAS_EVENTS && (c->flags & kinds) && cni_contact_has_lane(c))
 		cni_block_info_at(world, c->slot / CNI_LANES)->flags |= CNI_BLOCK_SUMS;
-}
-
-static int32_t has_lane(const cni_contact *c)
-{
-	return (c->flags & (CNI_CONTACT_TOUCHING | CNI_CONTACT_ASLEEP)) == CNI_CONTACT_TOUCHING;
 }
 
 void cni_contact_invalidate(cn_world *world, int32_t contact)
 {
 	const cni_contact *c = cni_contact_at(world, contact);
-	if (has_lane(c))
+	if (cni_contact_has_lane(c))
 		cni_lane_invalidate(world, c->slot);
 }
 
@@ -111,7 +106,7 @@ void cni_contact_fix_body(cn_world *world, int32_t body)
 	int32_t key = cni_body_at(world, body)->contact_first;
 	while (key != CNI_NONE) {
 		const cni_contact *c = cni_contact_of_key(world, key);
-		if (has_lane(c))
+		if (cni_contact_has_lane(c))
 			cni_lane_set_bodies(world, c);
 		key = c->next[key & 1];
 	}

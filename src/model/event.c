@@ -105,7 +105,7 @@ static void event_write(const cn_world *world, int32_t contact, cni_event *e)
 /* Without an anchor the lane's c and s are free. */
 static cni_block_anchor *free_anchor(const cn_world *world, const cni_contact *c)
 {
-	if ((c->flags & (CNI_CONTACT_TOUCHING | CNI_CONTACT_ASLEEP)) != CNI_CONTACT_TOUCHING)
+	if (!cni_contact_has_lane(c))
 		return NULL;
 	if (cni_block_info_at(world, c->slot / CNI_LANES)->anchored >> c->slot % CNI_LANES & 1u)
 		return NULL;

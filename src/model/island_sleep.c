@@ -200,7 +200,7 @@ void cni_body_wake_grown(cn_world *world, int32_t body)
 /* Does this lane go to sleep with the body? Pairs within an island count on their side 0. */
 static int32_t lane_is_counted(const cni_contact *c, int32_t key)
 {
-	if ((c->flags & (CNI_CONTACT_TOUCHING | CNI_CONTACT_ASLEEP)) != CNI_CONTACT_TOUCHING)
+	if (!cni_contact_has_lane(c))
 		return 0;
 	return (key & 1) == 0 || !(c->flags & CNI_CONTACT_LINKED);
 }
@@ -221,7 +221,7 @@ static void sleep_lanes_of(cn_world *world, int32_t body)
 		return; /* dynamic bodies on a resting kinematic body stay awake */
 	for (; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
 		const cni_contact *c = cni_contact_of_key(world, key);
-		if ((c->flags & (CNI_CONTACT_TOUCHING | CNI_CONTACT_ASLEEP)) == CNI_CONTACT_TOUCHING)
+		if (cni_contact_has_lane(c))
 			cni_contact_lane_to_sleep(world, key >> 1);
 	}
 }

@@ -117,7 +117,7 @@ static void core_begin(clamp *c, const cni_geometry *g)
 {
 	const cni_body *b = c->body;
 	const cni_path *p = &c->path;
-	cni_aabb path = { cni_min(p->start.x, p->end.x), cni_min(p->start.y, p->end.y), cni_max(p->start.x, p->end.x), cni_max(p->start.y, p->end.y) };
+	cni_aabb path = cni_aabb_of_segment(p->start, p->end);
 	float rounding = CNI_BODY_ROUNDING * (cni_abs(b->cx) + cni_abs(b->cy) + b->extent);
 	core_make(g, core_depth(g, c->world->settings.slop), &c->core);
 	c->stopped_by = CNI_NONE;

@@ -50,7 +50,7 @@ CNI_INLINE uint32_t external_flags(const cn_world *world, const cni_body *b)
 		flags = CNI_EXTERNAL_FREE;
 	if (b->linear_damping + b->angular_damping > 0.0f)
 		flags |= CNI_EXTERNAL_DAMPED;
-	if (b->sleep_time > 0.0f && b->sleep_time >= world->settings.sleep_delay)
+	if (b->sleep_time > 0.0f && b->sleep_time >= CNI_SETTLED_DELAYS * world->settings.sleep_delay)
 		flags |= CNI_EXTERNAL_SETTLED;
 	if (b->flags & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y))
 		flags |= lock_flags(b->flags);

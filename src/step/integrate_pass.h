@@ -66,8 +66,8 @@ extern const cni_body_kernel cni_body_kernel_8; /* AVX2, chosen at run time */
  * at this rate. A body that rests gains no more than CNI_STEADY_SPEED times the delay. With the default of 0.5 s this is an acceleration
  * of 4 mm/s^2, 0.04% of gravity; a box on a slope that is 0.5% too steep for a friction of 0.5 has 22 mm/s^2.
  *
- * A steady acceleration adds 2 CNI_STEADY_SPEED or more to the speed each time that it gains so much, and is no longer slow after
- * sleep_speed / (2 CNI_STEADY_SPEED) times. What is slow still swings about a place, and counts as at rest.
+ * Each time that a steady acceleration gains so much, it has added 2 CNI_STEADY_SPEED or more to the speed. A body that gained as often and
+ * is slower than that swings about a place, or comes to rest, and counts as at rest.
  *
  * Changes that a tenth of this acceleration gives in a step are passed by: most bodies of a pile have no others.
  */
@@ -76,29 +76,32 @@ typedef struct cni_gain_limits {
 	float delay, leak; /* leak: dt / delay */
 	float most;
 	float little_sq;   /* smaller changes of velocity are skipped */
-	uint32_t times;    /* limit of consecutive gains */
+	float speed;       /* that a steady acceleration adds with each gain, less a rounding */
 } cni_gain_limits;
 
 static inline cni_gain_limits cni_gain_limits_make(const cn_world *world, float dt)
 {
 	float delay = world->settings.sleep_delay, steady = CNI_STEADY_SPEED * world->settings.length_unit;
-	float leak = dt / cni_max(delay, dt), little = 0.2f * steady * leak, times = world->settings.sleep_speed / (2.0f * steady);
-	cni_gain_limits limits = { delay, leak, steady * delay, little * little, (uint32_t)cni_min(times, (float)CNI_BODY_GAINS_MOST) };
+	float leak = dt / cni_max(delay, dt), little = 0.2f * steady * leak;
+	cni_gain_limits limits = { delay, leak, steady * delay, little * little, 1.98f * steady };
 	return limits;
 }
 
 /* Adds the change of velocity (dvx, dvy, dw) that led to v. Returns 1 when the body has gained more than a body at rest does. */
 static inline int32_t cni_body_gains(cni_body *b, const cni_motion *v, float dvx, float dvy, float dw, const cni_gain_limits *limits)
 {
-	float turn = v->w * b->extent, dturn = dw * b->extent, x = v->vx - dvx, y = v->vy - dvy, was = turn - dturn, t, keep;
+	float turn = v->w * b->extent, dturn = dw * b->extent, x = v->vx - dvx, y = v->vy - dvy, was = turn - dturn, speed, t, keep;
+	uint32_t gains = b->flags >> CNI_BODY_GAINS_SHIFT;
 	if (dvx * dvx + dvy * dvy + dturn * dturn <= limits->little_sq && b->sleep_time > 0.0f)
 		return 0;
 	t = cni_min(b->sleep_time, limits->delay);
 	keep = t <= 0.0f ? 0.0f : t < limits->delay ? 1.0f : 1.0f - limits->leak;
-	b->gain = keep * b->gain + t * (cni_sqrt(v->vx * v->vx + v->vy * v->vy + turn * turn) - cni_sqrt(x * x + y * y + was * was));
-	if (cni_abs(b->gain) <= limits->most || b->flags >> CNI_BODY_GAINS_SHIFT >= limits->times)
+	speed = cni_sqrt(v->vx * v->vx + v->vy * v->vy + turn * turn);
+	b->gain = keep * b->gain + t * (speed - cni_sqrt(x * x + y * y + was * was));
+	if (cni_abs(b->gain) <= limits->most || speed < limits->speed * (float)(gains + 1u))
 		return 0;
-	b->flags += 1u << CNI_BODY_GAINS_SHIFT;
+	if (b->gain > 0.0f && gains < CNI_BODY_GAINS_MOST)
+		b->flags += 1u << CNI_BODY_GAINS_SHIFT;
 	return 1;
 }
 

@@ -153,7 +153,7 @@ static void lanes_run(cn_world *world, void (*run)(cn_world *world, int32_t slot
 	int32_t k;
 	for (k = 0; k < world->contact_used; ++k) {
 		const cni_contact *c = cni_contact_at(world, k);
-		if ((c->flags & (CNI_CONTACT_TOUCHING | CNI_CONTACT_ASLEEP)) == CNI_CONTACT_TOUCHING)
+		if (cni_contact_has_lane(c))
 			run(world, c->slot, threshold);
 	}
 }

@@ -89,7 +89,7 @@ static void check_contacts_of(report *r, int32_t body)
 		expect(r, !is_static || in_front || (b->flags & CNI_BODY_MIXED), "order of contacts of body", body);
 		in_front = is_static;
 		++count;
-		if ((c->flags & (CNI_CONTACT_TOUCHING | CNI_CONTACT_ASLEEP)) != CNI_CONTACT_TOUCHING)
+		if (!cni_contact_has_lane(c))
 			continue;
 		++lanes;
 		if (b->type == CN_BODY_DYNAMIC && cni_block_info_at(world, c->slot / CNI_LANES)->color != CNI_COLOR_OVERFLOW) {

@@ -14,7 +14,7 @@ static void every_scene_has_its_number(void)
 		const arch_scene *scene = &arch_scenes[k];
 		uint64_t number = arch_number(scene);
 		if (arch_failed_line != 0)
-			printf("  %s: the call in line %d of scenes.h fails\n", scene->name, (int)arch_failed_line);
+			printf("  %s: the call in %s:%d fails\n", scene->name, arch_failed_file, (int)arch_failed_line);
 		CHECK(arch_failed_line == 0);
 		if (print)
 			printf("\t{ \"%s\", scene_%s, 0x%016llx },\n", scene->name, scene->name, (unsigned long long)number);

@@ -140,7 +140,7 @@ double error_of(const judged *j)
 	return fmax(fmax(j->value[M_JOINT], j->value[M_OVERLAP]), fmax(j->value[M_MOVED], ERROR_LEAST));
 }
 
-int is_dear(double time_ratio, double gain, double time_most)
+int is_expensive(double time_ratio, double gain, double time_most)
 {
 	return time_ratio > time_most && time_ratio > gain;
 }
@@ -158,7 +158,7 @@ void confirm_time(const settings *set, const family *which, seed_result *r)
 {
 	int32_t side, repeat;
 	ratios_find(r);
-	for (repeat = 0; repeat < DEAR_RUNS && set->confirm > 0 && is_dear(r->time_ratio, r->gain, DEAR_TIME); ++repeat) {
+	for (repeat = 0; repeat < EXPENSIVE_RUNS && set->confirm > 0 && is_expensive(r->time_ratio, r->gain, EXPENSIVE_TIME); ++repeat) {
 		for (side = 0; side < 2; ++side)
 			r->measures[side].step_ms = fmin(r->measures[side].step_ms, run_side(set, which, r->seed, side, 0).step_ms);
 		ratios_find(r);

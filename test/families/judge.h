@@ -12,9 +12,9 @@
 #define PEER_RUNS 3      /* of another engine for each seed: medians are compared */
 #define NOISE_OTHER 1000 /* perturbations of the first side when a solver is judged against itself */
 #define REFERENCE_SUBSTEPS 64
-#define DEAR_TIME 4.0        /* times the other's: a seed that takes longer is to have an error smaller in proportion */
-#define DEAR_TIME_MEDIAN 2.0 /* ... and a family, by medians */
-#define DEAR_RUNS 2          /* more runs on both sides of a seed that looks dear: the shortest times decide */
+#define EXPENSIVE_TIME 4.0        /* times the other's: a seed that takes longer is to have an error smaller in proportion */
+#define EXPENSIVE_TIME_MEDIAN 2.0 /* ... and a family, by medians */
+#define EXPENSIVE_RUNS 2          /* more runs on both sides of a seed that looks expensive: the shortest times decide */
 #define ERROR_LEAST 1e-6     /* m: lesser errors are none */
 
 enum { M_JOINT, M_OVERLAP, M_ENERGY, M_SPEED, M_MOVED, M_BROKEN, M_COUNT };
@@ -73,7 +73,7 @@ uint32_t confirm_seed(const settings *set, const family *which, int32_t seed, ju
 /* The greatest of joint error, overlap and displacement, m, at least ERROR_LEAST. */
 double error_of(const judged *j);
 /* Takes so much longer that its error would have to be smaller, and is not? */
-int is_dear(double time_ratio, double gain, double time_most);
+int is_expensive(double time_ratio, double gain, double time_most);
 /* Fills in time_ratio and gain from measures and judged. */
 void confirm_time(const settings *set, const family *which, seed_result *r);
 

@@ -68,28 +68,28 @@ static int more_for_less(const void *a, const void *b)
 	return p > q ? -1 : p < q;
 }
 
-/* Seeds that are dear, the worst of them, and the family by its medians. */
+/* Seeds that are expensive, the worst of them, and the family by its medians. */
 static void print_dear(const seed_result *results, int32_t count)
 {
 	double time = median_ratio(results, count, 0), gain = median_ratio(results, count, 1);
-	seed_result *dear = malloc((size_t)(count + 1) * sizeof *dear);
+	seed_result *expensive = malloc((size_t)(count + 1) * sizeof *expensive);
 	int32_t k, found = 0;
-	if (dear == NULL)
+	if (expensive == NULL)
 		exit(2);
 	for (k = 0; k < count; ++k)
-		if (is_dear(results[k].time_ratio, results[k].gain, DEAR_TIME))
-			dear[found++] = results[k];
-	qsort(dear, (size_t)found, sizeof *dear, more_for_less);
-	if (is_dear(time, gain, DEAR_TIME_MEDIAN))
-		printf("    dear     medians: time x%.2f, error x1/%.2f\n", time, gain);
+		if (is_expensive(results[k].time_ratio, results[k].gain, EXPENSIVE_TIME))
+			expensive[found++] = results[k];
+	qsort(expensive, (size_t)found, sizeof *expensive, more_for_less);
+	if (is_expensive(time, gain, EXPENSIVE_TIME_MEDIAN))
+		printf("    expensive  medians: time x%.2f, error x1/%.2f\n", time, gain);
 	if (found > 0)
-		printf("    dear     %d of %d:", (int)found, (int)count);
+		printf("    expensive  %d of %d:", (int)found, (int)count);
 	for (k = 0; k < found && k < 6; ++k)
-		printf("%s seed %d: time x%.1f, error %.3g against %.3g mm", k > 0 ? ";" : "", (int)dear[k].seed, dear[k].time_ratio, 1e3 * error_of(&dear[k].judged[0]),
-			1e3 * error_of(&dear[k].judged[1]));
+		printf("%s seed %d: time x%.1f, error %.3g against %.3g mm", k > 0 ? ";" : "", (int)expensive[k].seed, expensive[k].time_ratio, 1e3 * error_of(&expensive[k].judged[0]),
+			1e3 * error_of(&expensive[k].judged[1]));
 	if (found > 0)
 		printf("\n");
-	free(dear);
+	free(expensive);
 }
 
 static const judged *other_of(const seed_result *r, int peer) { return peer ? &r->peer : &r->judged[1]; }

@@ -89,10 +89,11 @@ static int32_t follow_all(cn_world *world, int32_t *total)
 /*
  * Corner on corner, the normal hangs on micrometres and may be any; a point may just have reached the margin. How many lanes of
  * a pile miss more than the above is chance: so several piles are looked at, and the part of such lanes is bound. What counts
- * in the end is where the surfaces are: with any other normal, they are off by no more than what slid.
+ * in the end is where the surfaces are: with any other normal, they are off by no more than what slid at the point that was followed, and
+ * the turn times the distance of the corner that is nearest now, as for arms.
  */
 #define OTHER_PART (1.0 / 250.0)
-#define SEPARATION_OF_CORNERS 1.25e-3
+#define SEPARATION_OF_CORNERS ARM
 static const float shifts[] = { 0.02f, 0.0201f, 0.0203f, 0.0204f, 0.0211f, 0.0212f, 0.022f }; /* of one row of a pile against the next */
 enum { PILES = sizeof shifts / sizeof shifts[0] };
 

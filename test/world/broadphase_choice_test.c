@@ -10,7 +10,7 @@
 
 #define STEPS 300
 #ifdef TEST_SLOW
-#define EVERY 10 /* validations are dear */
+#define EVERY 10 /* validations are expensive */
 #else
 #define EVERY 1
 #endif

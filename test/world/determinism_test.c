@@ -24,11 +24,11 @@ typedef struct golden {
 
 /* clang-format off */
 static const golden goldens[] = {
-	{ "falling_hinges", 480, 1, 0xba69b05dbf073836 },
-	{ "small_200", 300, 1, 0x28aee4f04e043a96 },
-	{ "small_50_sleep", 600, 1, 0x8ce4e34fa6ab6b1c },
-	{ "dominoes", 400, 1, 0x6e80a7e88e91e3bc },
-	{ "ragdolls", 480, 1, 0xc88810d28aa8e436 },
+	{ "falling_hinges", 480, 1, 0x951fe3f65e187bae },
+	{ "small_200", 300, 1, 0x457c9790fc1008f3 },
+	{ "small_50_sleep", 600, 1, 0x6996793c00184850 },
+	{ "dominoes", 400, 1, 0xf0cd4a647cf23da5 },
+	{ "ragdolls", 480, 1, 0xf8065073aa318767 },
 	{ "bridge", 240, 1, 0x7e65abaee47b6d2c },
 	{ "car", 400, 1, 0x28e311b6b19b7930 },
 	{ "mixer", 240, 1, 0x2d234f91152a58e2 },

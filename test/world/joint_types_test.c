@@ -127,6 +127,68 @@ static void prismatic_motor_and_limits(void)
 	cn_world_destroy(world);
 }
 
+/* How far a motor drives its joint beyond the limits +-1 in 3 s, to one end and then to the other. type: CN_JOINT_REVOLUTE, _PRISMATIC or _DISTANCE.
+   links: bodies joined to the one that is driven. */
+static double driven_beyond(int32_t solver, int32_t type, float speed, float most, int32_t links)
+{
+	cn_world *world = fixture_world(-10.0f, 0);
+	cn_body box = unit_box(world, type == CN_JOINT_DISTANCE ? 3.0f : 0.0f, 0.0f, 0.0f), link = box;
+	double beyond = 0.0, middle = type == CN_JOINT_DISTANCE ? 3.0 : 0.0;
+	cn_joint joint;
+	int32_t k;
+	must(cn_world_set_solver(world, solver), world, "cn_world_set_solver");
+	if (type == CN_JOINT_REVOLUTE) {
+		cn_revolute_def def = revolute_def(0, at(0.0f, 0.0f), box, at(-0.5f, 0.0f));
+		def.base.flags = CN_JOINT_MOTOR | CN_JOINT_LIMIT;
+		def.lower_angle_rad = -1.0f;
+		def.upper_angle_rad = 1.0f;
+		joint = make_revolute(world, &def);
+	} else if (type == CN_JOINT_PRISMATIC) {
+		cn_prismatic_def def;
+		cn_prismatic_def_init(&def);
+		connect(&def.base, 0, at(0.0f, 0.0f), box, at(0.0f, 0.0f));
+		def.base.flags = CN_JOINT_MOTOR | CN_JOINT_LIMIT;
+		def.lower_m = -1.0f;
+		def.upper_m = 1.0f;
+		joint = make_prismatic(world, &def);
+	} else {
+		cn_distance_def def = distance_def(0, at(0.0f, 0.0f), box, at(0.0f, 0.0f), 3.0f);
+		def.base.flags = CN_JOINT_MOTOR | CN_JOINT_LIMIT;
+		def.length_min_m = 2.0f;
+		def.length_max_m = 4.0f;
+		joint = make_distance(world, &def);
+	}
+	for (k = 0; k < links; ++k) {
+		cn_body next = unit_box(world, 1.5f * (float)(k + 1), 0.0f, 0.0f);
+		hinge(world, link, at(0.75f, 0.0f), next, at(-0.75f, 0.0f));
+		link = next;
+	}
+	for (k = 0; k < 180; ++k) {
+		if (k % 90 == 0)
+			must(cn_joint_set_motor(world, joint, k == 0 ? speed : -speed, most), world, "cn_joint_set_motor");
+		fixture_step(world, 1);
+		beyond = greater(beyond, fabs(joint_position(world, joint) - middle) - 1.0);
+	}
+	cn_world_destroy(world);
+	return beyond;
+}
+
+/* A limit is a soft row, a motor a hard one: however strong, the motor stops at the limit. What is left is the stop itself: less than the
+   way of a substep at the motor's speed. */
+static void strong_motors_stop_at_limits(void)
+{
+	static const struct { int32_t solver, links; } cases[] = { { CN_SOLVER_SOFT, 0 }, { CN_SOLVER_AUTO, 0 }, { CN_SOLVER_AUTO, 2 } };
+	static const int32_t types[] = { CN_JOINT_REVOLUTE, CN_JOINT_PRISMATIC, CN_JOINT_DISTANCE };
+	static const float speeds[] = { 0.5f, 5.0f, 50.0f };
+	int32_t type, k, speed;
+	for (type = 0; type < 3; ++type)
+		for (k = 0; k < 3; ++k)
+			for (speed = 0; speed < 3; ++speed) {
+				double beyond = driven_beyond(cases[k].solver, types[type], speeds[speed], 1e6f, cases[k].links);
+				CHECK_LE("a motor of 1e6 N or Nm beyond the limit", beyond, 0.01 + (double)speeds[speed] / 240.0, "m or rad");
+			}
+}
+
 /* ---- wheel ---- */
 
 static void wheel_spring_has_its_period_and_decay(void)
@@ -621,6 +683,7 @@ int main(int argc, char **argv)
 	RUN(prismatic_slides_down_an_incline);
 	RUN(prismatic_spring_has_its_period_and_decay);
 	RUN(prismatic_motor_and_limits);
+	RUN(strong_motors_stop_at_limits);
 	RUN(wheel_spring_has_its_period_and_decay);
 	RUN(wheel_motor_reaches_its_speed_in_time);
 	RUN(mouse_drags_like_a_spring);

@@ -41,7 +41,7 @@ def asked_for():
 
 
 def repeat(suite, name, program, folder, turn):
-    """All settings of an engine again, but for what is so dear that its cost is known well enough."""
+    """All settings of an engine again, but for what is so expensive that its cost is known well enough."""
     settings = {}
     for arguments, sources in asked_for():
         for (case, engine, setting), cost_us in suite.cost_us.items():

@@ -95,10 +95,10 @@ class Panel:
         self.left, self.top, self.right, self.bottom = box
         self.scale = Scale(scene, points, limit)
         costs = [point.cost_us for point in points]
-        self.cheap, self.dear = min(costs) / 1.6, max(costs) * 1.8
+        self.cheap, self.expensive = min(costs) / 1.6, max(costs) * 1.8
 
     def x(self, cost_us):
-        return self.left + (self.right - self.left) * math.log(cost_us / self.cheap) / math.log(self.dear / self.cheap)
+        return self.left + (self.right - self.left) * math.log(cost_us / self.cheap) / math.log(self.expensive / self.cheap)
 
     def y(self, error):
         return self.bottom - (self.bottom - self.top) * math.log(error / self.scale.low) / math.log(self.scale.high / self.scale.low)
@@ -155,7 +155,7 @@ def draw_frame(panel):
         y = panel.y(value)
         page.line(panel.left, y, panel.right, y, "#DDDDDD", 0.7)
         page.text(panel.left - 6, y + 0.35 * size, short_number(value), size, anchor="end")
-    for value in ticks(panel.cheap, panel.dear, 5 if panel.small else 8):
+    for value in ticks(panel.cheap, panel.expensive, 5 if panel.small else 8):
         x = panel.x(value)
         page.line(x, panel.top, x, panel.bottom, "#DDDDDD", 0.7)
         page.text(x, panel.bottom + 1.4 * size, short_number(value), size, anchor="middle")
