@@ -127,8 +127,10 @@ static void t_what_falls_rests_on_the_ground_and_sleeps(void)
 				random_seed((uint32_t)(10000 * kind + 100 * i + seed));
 				fixture_floor(world, 0.6f, 0.0f);
 				t = thin_make(kind, thicknesses_m[i]);
-				body = thin_body(world, t, 0.0f, random_between(0.1f, 1.0f) + 0.5f * t.length, random_between(0.0f, 6.28f), 0.6f);
-				fixture_set_velocity(world, body, random_between(-2.0f, 2.0f), random_between(-3.0f, 0.0f), random_between(-5.0f, 5.0f));
+				float y = random_between(0.1f, 1.0f) + 0.5f * t.length, angle = random_between(0.0f, 6.28f);
+				float vx = random_between(-2.0f, 2.0f), vy = random_between(-3.0f, 0.0f);
+				body = thin_body(world, t, 0.0f, y, angle, 0.6f);
+				fixture_set_velocity(world, body, vx, vy, random_between(-5.0f, 5.0f));
 				for (step = 0; step < 600; ++step) {
 					fixture_step(world, 1);
 					if (step > 300)
@@ -209,8 +211,9 @@ static int32_t thrown_out(int32_t kind, int32_t edges, int32_t thickness, int32_
 	random_seed((uint32_t)(10000 * kind + 100 * thickness + seed + 7));
 	for (k = 0; k < THROWN; ++k) {
 		thin t = thin_make(kind, thicknesses_m[thickness]);
-		body[k] = thin_body(world, t, (float)(k % 2) - 0.5f, (float)(k / 2) - 0.5f, random_between(0.0f, 6.28f), 0.3f);
-		fixture_set_velocity(world, body[k], random_between(-60.0f, 60.0f), random_between(-60.0f, 60.0f), random_between(-20.0f, 20.0f));
+		float angle = random_between(0.0f, 6.28f), vx = random_between(-60.0f, 60.0f), vy = random_between(-60.0f, 60.0f);
+		body[k] = thin_body(world, t, (float)(k % 2) - 0.5f, (float)(k / 2) - 0.5f, angle, 0.3f);
+		fixture_set_velocity(world, body[k], vx, vy, random_between(-20.0f, 20.0f));
 	}
 	fixture_step(world, 180);
 	for (k = 0; k < THROWN; ++k) {
@@ -221,7 +224,8 @@ static int32_t thrown_out(int32_t kind, int32_t edges, int32_t thickness, int32_
 	return out;
 }
 
-/* Of 20,000 of each kind 0.01 to 0.02% leave a room of edges; of triangles 0.5%: the tip of a wedge has no core. */
+/* Of 20,000 of each kind 0.01 to 0.02% leave a room of edges; of triangles 0.55%, for the tip of a wedge has no core. In a sample of 240
+   triangles 3 or more are out once in seven samples, 5 or more once in a hundred. */
 static void t_what_is_thrown_stays_in_the_room(void)
 {
 	int32_t kind, edges, i, seed;
@@ -232,7 +236,7 @@ static void t_what_is_thrown_stays_in_the_room(void)
 				for (seed = 0; seed < SEEDS; ++seed)
 					out += thrown_out(kind, edges, i, seed);
 			printf("  %s, walls are %s: of %d\n", thin_names[kind], edges ? "edges" : "boxes", all);
-			CHECK_LE("share out of the room", (double)out / all, kind == THIN_TRIANGLE ? 0.01 : 0.0, "");
+			CHECK_LE("share out of the room", (double)out / all, kind == THIN_TRIANGLE ? 0.02 : 0.0, "");
 		}
 }
 
