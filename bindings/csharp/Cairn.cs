@@ -1566,7 +1566,7 @@ namespace Cairn
 		public const int CN_TIER_REASON_OVERRIDE = 7;
 		/// <summary>soft: a single body</summary>
 		public const int CN_TIER_REASON_ALONE = 8;
-		/// <summary>soft: a problem, but the island moves too fast</summary>
+		/// <summary>soft: a problem, but the island moves too fast, or did a short time ago</summary>
 		public const int CN_TIER_REASON_MOVING = 9;
 		/// <summary>soft: a problem, but the island or the sum of such islands is too large</summary>
 		public const int CN_TIER_REASON_CROWDED = 10;

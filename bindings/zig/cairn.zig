@@ -187,7 +187,7 @@ pub const CN_TIER_REASON_SOLVER = 6;
 pub const CN_TIER_REASON_OVERRIDE = 7;
 /// soft: a single body
 pub const CN_TIER_REASON_ALONE = 8;
-/// soft: a problem, but the island moves too fast
+/// soft: a problem, but the island moves too fast, or did a short time ago
 pub const CN_TIER_REASON_MOVING = 9;
 /// soft: a problem, but the island or the sum of such islands is too large
 pub const CN_TIER_REASON_CROWDED = 10;

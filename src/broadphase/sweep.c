@@ -16,7 +16,6 @@
 #define SETTLE_PENDING 64   /* additions that may wait, beside an eighth of the proxies */
 
 static inline cni_sweep *sweep_of(cni_broadphase *broadphase) { return (cni_sweep *)(void *)broadphase; }
-static inline const cni_sweep *const_sweep_of(const cni_broadphase *broadphase) { return (const cni_sweep *)(const void *)broadphase; }
 
 /* ---- memory ---- */
 
@@ -202,12 +201,12 @@ static uint64_t array_bytes(const cni_array *array) { return (uint64_t)array->ca
 
 static uint64_t sweep_bytes(const cni_broadphase *broadphase)
 {
-	const cni_sweep *sweep = const_sweep_of(broadphase);
+	const cni_sweep *sweep = cni_sweep_of(broadphase);
 	return sizeof(*sweep) + array_bytes(&sweep->tiles) + array_bytes(&sweep->moved) + array_bytes(&sweep->loose) +
 	       (uint64_t)sweep->slot_capacity * sizeof(int32_t) + sweep->rows_bytes;
 }
 
-static int32_t sweep_cells(const cni_broadphase *broadphase) { return const_sweep_of(broadphase)->tile_count; }
+static int32_t sweep_cells(const cni_broadphase *broadphase) { return cni_sweep_of(broadphase)->tile_count; }
 
 /* Worst case: each proxy is alone in its tile. It takes a tile, up to four table slots, the smallest piece of rows and two
    bits. The array of tiles and the table are copied when they grow, which takes half as much again. With less memory
@@ -297,7 +296,7 @@ static int32_t marks_hold(const cni_sweep *sweep, int32_t entries)
 static int32_t sweep_validate(const cni_broadphase *broadphase)
 {
 	int32_t entries;
-	return tiles_hold(const_sweep_of(broadphase), &entries) && marks_hold(const_sweep_of(broadphase), entries);
+	return tiles_hold(cni_sweep_of(broadphase), &entries) && marks_hold(cni_sweep_of(broadphase), entries);
 }
 
 static void sweep_snapshot(cni_broadphase *broadphase, cni_snapshot *s)

@@ -303,6 +303,8 @@ cni_sweep_find_new_fn cni_sweep_find_new_8; /* AVX2, chosen at run time */
 
 /* ---- queries ---- */
 
+static inline const cni_sweep *cni_sweep_of(const cni_broadphase *broadphase) { return (const cni_sweep *)(const void *)broadphase; }
+
 void cni_sweep_query(const cni_broadphase *broadphase, const cni_aabb *box, cni_query_fn *visit, void *context);
 void cni_sweep_ray(const cni_broadphase *broadphase, cni_vec2 origin, cni_vec2 translation, cni_query_fn *visit, void *context);
 

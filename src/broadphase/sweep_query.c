@@ -89,7 +89,7 @@ static void query_loose(const region *r)
 
 void cni_sweep_query(const cni_broadphase *broadphase, const cni_aabb *box, cni_query_fn *visit, void *context)
 {
-	const cni_sweep *sweep = (const cni_sweep *)(const void *)broadphase;
+	const cni_sweep *sweep = cni_sweep_of(broadphase);
 	cni_sweep_cursor cursor;
 	int32_t tile;
 	region r;
@@ -274,7 +274,7 @@ void cni_sweep_ray(const cni_broadphase *broadphase, cni_vec2 origin, cni_vec2 t
 {
 	ray_pass ray;
 	int32_t l;
-	ray.sweep = (const cni_sweep *)(const void *)broadphase;
+	ray.sweep = cni_sweep_of(broadphase);
 	ray.o = origin;
 	ray.d = translation;
 	ray.visit = visit;

@@ -24,7 +24,7 @@
 static float target_speed(const cni_row *r, const cni_solve *s, int32_t bias)
 {
 	if (r->kind == CNI_ROW_MOTOR)
-		return cni_motor_target(r, s->inv_h);
+		return cni_motor_target(r, s->inv_h, bias ? CNI_JOINT_ERROR_RATE * s->inv_h : 0.0f);
 	if (r->error > 0.0f)
 		return -r->error * s->inv_h;
 	return bias ? cni_min(-CNI_JOINT_ERROR_RATE * s->inv_h * r->error, s->push_speed) : 0.0f;

@@ -346,12 +346,12 @@ CNI_INLINE int32_t has_single(const cni_tree_batch *batch, int32_t l)
 }
 
 /* The part of solve_group for joints with motors only. */
-CNI_INLINE void solve_motors(cni_joint_block *k, int32_t l, side *a, side *b, const arms *r, const cni_joint_pass *pass, pair *induced)
+CNI_INLINE void solve_motors(cni_joint_block *k, int32_t l, side *a, side *b, const arms *r, const cni_joint_pass *pass, int32_t bias, pair *induced)
 {
 	const cni_wide zero = cni_wide_of(0.0f);
 	pin p = pin_make(a, b, r);
 	hinge g = hinge_make(a, b, r, &p);
-	solve_motor(k, l, &g, pass);
+	solve_motor(k, l, &g, pass, bias);
 	induced->x = zero + g.sx * g.t;
 	induced->y = zero + g.sy * g.t;
 	push(a, b, r, induced->x, induced->y, g.t);
@@ -365,7 +365,7 @@ CNI_INLINE void node_solve(cni_tree_batch *batch, int32_t node, int32_t l, tree_
 	if (single)
 		solve_group(k, l, a, b, r, pass, bias, 1, 1, &induced->x, &induced->y);
 	else if (k->angular == CN_JOINT_MOTOR)
-		solve_motors(k, l, a, b, r, pass, induced);
+		solve_motors(k, l, a, b, r, pass, bias, induced);
 	else if (k->angular)
 		solve_group(k, l, a, b, r, pass, bias, 1, 0, &induced->x, &induced->y);
 	else

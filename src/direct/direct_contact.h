@@ -14,8 +14,8 @@
 #define CNI_DIRECT_CONTACT_WORK 48
 
 /*
- * Work of direct/friction_cones.c, in blocks factored of 10 ns. Most of all contact systems in a step, beyond which a search for a set ends
- * with its first round and no interior-point method begins but for a relax pass: 40 arches that are struck took 10.9 ms in their slowest
+ * Work of attempts at exact solutions, in blocks factored of 10 ns: direct/friction_cones.c, searches for sets, retries of direct/rattle.c.
+ * Most of all systems in a step, beyond which a search for a set ends with its first round and no interior-point method begins but for a relax pass: 40 arches that are struck took 10.9 ms in their slowest
  * step without it, now 3.1. Most of a pass. An island, a contact: how much it may owe before it is asked again, and what it pays back in a
  * step (CNI_CONE_REFILL), which is about what soft constraints take at rest. Of what stands, most need less than this in all: its contacts
  * are found once, and their sets hold from then on. A heap that was poured would take as much in every step, and is no better for it than
@@ -24,11 +24,11 @@
  * 200 bodies: 58, 125 and 626 M where what moved might spend 500 and only interior points owed, now 25, 77 and 335 M. Arches that boxes
  * fall on stand as often, 95 of 100.
  */
-#define CNI_CONE_WORK 200000
-#define CNI_CONE_PASS_WORK 100000 /* most of one pass, but for CNI_CONE_FACTORS_LEAST: large walls take 5 to 20, heaps that settle 40 to 60 */
+#define CNI_ATTEMPT_WORK 200000
+#define CNI_ATTEMPT_PASS_WORK 100000 /* most of one pass, but for CNI_CONE_FACTORS_LEAST: large walls take 5 to 20, heaps that settle 40 to 60 */
 #define CNI_CONE_DEBT 12000
 #define CNI_CONE_FAILED 21000 /* what a failed attempt owes beside its work: 1,500 steps until the next */
-#define CNI_CONE_FACTORS 30 /* of a pass: a system is too large where so many exceed CNI_CONE_WORK */
+#define CNI_CONE_FACTORS 30 /* of a pass: a system is too large where so many exceed CNI_ATTEMPT_WORK */
 #define CNI_CONE_NODE 16 /* blocks: what a contact costs beside one */
 #define CNI_CONE_SOLUTION 4 /* ... and in a solution without one */
 
@@ -37,16 +37,16 @@ static inline int32_t cni_cone_factor_work(const cni_component *c)
 	return c->work + CNI_CONE_NODE * (c->end - c->begin);
 }
 
-static inline void cni_contact_work_count(const cn_world *world, int32_t *sum, int32_t work)
+static inline void cni_attempt_work_count(const cn_world *world, int32_t *sum, int32_t work)
 {
 	if (world->settings.solver == CN_SOLVER_AUTO)
 		*sum += work;
 }
 
-/* 1: the contact systems of this step have spent what they may. A search for a set then ends with its first result. */
-static inline int32_t cni_contact_work_is_spent(const cn_world *world)
+/* 1: the systems of this step have spent what they may. A search for a set then ends with its first result. */
+static inline int32_t cni_attempt_work_is_spent(const cn_world *world)
 {
-	return world->settings.solver == CN_SOLVER_AUTO && world->cone_work + world->set_work >= CNI_CONE_WORK;
+	return world->settings.solver == CN_SOLVER_AUTO && world->cone_work + world->set_work >= CNI_ATTEMPT_WORK;
 }
 
 /* Sets what cni_cone_debt (model/island.h) returns now. */

@@ -19,7 +19,7 @@
  * Three methods, each for failures of the one before. The joints remember failures, so that a component that fails again and again does not
  * try everything in every step:
  *   RATTLE       a step that does not close its joints, or gains much energy, is repeated with twice the substeps, as far as the work
- *                of the step allows (CNI_CONE_PASS_WORK);
+ *                of the step allows (CNI_ATTEMPT_PASS_WORK);
  *   projection   x += h (v + h a), x to the nearest point where the joints are closed, v projected to J v = 0 there: such a
  *                projection cannot raise kinetic energy, so it survives whips that no substep resolves, and loses energy
  *                (about (h w)^2 of it a substep);
@@ -525,13 +525,13 @@ static void joints_release(const rattle_step *g, const cni_solve *s, cni_joint_t
 static int32_t attempt_work(const cni_component *c, int32_t substeps)
 {
 	int64_t work = (int64_t)substeps * cni_cone_factor_work(c);
-	return work < CNI_CONE_WORK ? (int32_t)work : CNI_CONE_WORK;
+	return work < CNI_ATTEMPT_WORK ? (int32_t)work : CNI_ATTEMPT_WORK;
 }
 
 /* 1: the work of the step allows another attempt with this number of substeps. */
 static int32_t may_retry(const cn_world *world, const cni_component *c, int32_t substeps)
 {
-	return world->settings.solver != CN_SOLVER_AUTO || world->set_work + attempt_work(c, substeps) <= CNI_CONE_PASS_WORK;
+	return world->settings.solver != CN_SOLVER_AUTO || world->set_work + attempt_work(c, substeps) <= CNI_ATTEMPT_PASS_WORK;
 }
 
 /* Runs RATTLE with twice the substeps after each failure. Returns 1 when a step succeeded. */
@@ -543,7 +543,7 @@ static int32_t rattle_run(rattle_step *g, const cni_solve *s, cni_component *c, 
 			return 1;
 		*t = before;
 		step_undo(g);
-		cni_contact_work_count(g->world, &g->world->set_work, attempt_work(c, substeps));
+		cni_attempt_work_count(g->world, &g->world->set_work, attempt_work(c, substeps));
 		substeps *= 2;
 	} while (substeps <= CNI_RATTLE_SUBSTEPS_RETRY && may_retry(g->world, c, substeps));
 	return 0;

@@ -157,7 +157,7 @@ static void island_mark_bad(cn_world *world, int32_t island, int32_t reason)
 	else if (cni_island_has_joints(world, island))
 		i->reason = CN_TIER_REASON_JOINTED;
 	else if (cni_cone_debt(world, i) > CNI_CONE_DEBT)
-		i->reason = CN_TIER_REASON_NO_SET;
+		i->reason = i->reason == CN_TIER_REASON_NO_SET ? CN_TIER_REASON_NO_SET : CN_TIER_REASON_MOVING; /* what it owes for */
 	else if (!island_has_waited(world, i))
 		i->reason = CN_TIER_REASON_MOVING;
 	else

@@ -90,10 +90,12 @@ static inline cni_lever cni_row_lever(const cni_row *r)
 	cni_lever l = { r->ax, r->ay, r->aw, r->bx, r->by, r->bw };
 	return l;
 }
-/* Target speed of a motor, which does not pass a limit within the substep: a limit is soft and would give way to a strong motor. */
-static inline float cni_motor_target(const cni_row *r, float inv_h)
+/* Target speed of a motor, which does not pass a limit within the substep: a limit is soft and would give way to a strong motor. Beyond the
+   limit it returns with the limit: rate is cni_soft_error_rate. */
+static inline float cni_motor_target(const cni_row *r, float inv_h, float rate)
 {
-	return cni_clamp(r->target, -cni_max(r->below, 0.0f) * inv_h, cni_max(r->above, 0.0f) * inv_h);
+	float least = r->below * (r->below > 0.0f ? inv_h : rate), most = r->above * (r->above > 0.0f ? inv_h : rate);
+	return cni_min(cni_max(r->target, -least), most);
 }
 static inline float cni_row_mass(const cni_row *r, const cni_row *q, const cni_motion *a, const cni_motion *b)
 {

@@ -28,10 +28,11 @@ static int32_t distance_rows(const cni_joint *j, const cni_joint_frame *f, cni_r
 		cni_row r = axis_row(f, CNI_ROW_SPRING, 1, 1.0f, &length);
 		rows[count++] = cni_row_spring(r, length - j->p[CNI_P_LENGTH], j->p[CNI_P_DISTANCE_HERTZ], j->p[CNI_P_DISTANCE_DAMPING]);
 	}
+	length = cni_length(f->d);
 	if (j->flags & CN_JOINT_MOTOR)
-		rows[count++] = cni_row_motor(axis_row(f, CNI_ROW_MOTOR, 2, 1.0f, &length), j, cni_length(f->d), j->flags & CN_JOINT_LIMIT);
+		rows[count++] = cni_row_motor(axis_row(f, CNI_ROW_MOTOR, 2, 1.0f, &length), j, length, j->flags & CN_JOINT_LIMIT);
 	if (j->flags & CN_JOINT_LIMIT) {
-		float room, sign = cni_limit_side(cni_length(f->d), j->p[CNI_P_LOWER], j->p[CNI_P_UPPER], &room);
+		float room, sign = cni_limit_side(length, j->p[CNI_P_LOWER], j->p[CNI_P_UPPER], &room);
 		rows[count] = axis_row(f, CNI_ROW_LIMIT, 3, sign, &length);
 		rows[count++].error = room;
 	}

@@ -138,16 +138,17 @@ CNI_INLINE void solve_spring(cni_joint_block *k, int32_t l, hinge *g)
 }
 
 /* cni_motor_target */
-CNI_INLINE cni_wide motor_target(cni_wide speed, cni_wide below, cni_wide above, float inv_h)
+CNI_INLINE cni_wide motor_target(cni_wide speed, cni_wide below, cni_wide above, const cni_joint_pass *pass, int32_t bias)
 {
-	const cni_wide zero = cni_wide_of(0.0f);
-	return cni_wide_min(cni_wide_max(speed, -cni_wide_max(below, zero) * inv_h), cni_wide_max(above, zero) * inv_h);
+	const cni_wide zero = cni_wide_of(0.0f), inside = cni_wide_of(pass->inv_h), outside = cni_wide_of(cni_soft_error_rate(&pass->soft, bias));
+	cni_wide least = below * cni_wide_select(below > zero, inside, outside), most = above * cni_wide_select(above > zero, inside, outside);
+	return cni_wide_min(cni_wide_max(speed, -least), most);
 }
 
-CNI_INLINE void solve_motor(cni_joint_block *k, int32_t l, hinge *g, const cni_joint_pass *pass)
+CNI_INLINE void solve_motor(cni_joint_block *k, int32_t l, hinge *g, const cni_joint_pass *pass, int32_t bias)
 {
 	cni_wide old = cni_wide_load(k->motor_j + l), most = cni_wide_load(k->torque + l) * pass->h, angle = cni_wide_load(k->angle + l);
-	cni_wide target = motor_target(cni_wide_load(k->speed + l), angle - cni_wide_load(k->lower + l), cni_wide_load(k->upper + l) - angle, pass->inv_h);
+	cni_wide target = motor_target(cni_wide_load(k->speed + l), angle - cni_wide_load(k->lower + l), cni_wide_load(k->upper + l) - angle, pass, bias);
 	cni_wide impulse = cni_wide_min(cni_wide_max(old - g->mass * (g->w - target), -most), most);
 	cni_wide_store(k->motor_j + l, impulse);
 	hinge_turn(g, impulse - old);
@@ -200,7 +201,7 @@ CNI_INLINE void solve_group(cni_joint_block *k, int32_t l, side *a, side *b, con
 			}
 			solve_spring(k, l, &g);
 		}
-		solve_motor(k, l, &g, pass);
+		solve_motor(k, l, &g, pass, bias);
 		solve_limits(k, l, &g, pass, bias);
 		t = g.t;
 	}

@@ -348,13 +348,13 @@ CNI_INLINE void spring_solve(cni_row_block *k, int32_t l, side *a, side *b)
 	row_push(&r, dj, a, b);
 }
 
-CNI_INLINE void motor_solve(cni_row_block *k, int32_t l, int32_t row, side *a, side *b, const cni_joint_pass *pass)
+CNI_INLINE void motor_solve(cni_row_block *k, int32_t l, int32_t row, side *a, side *b, const cni_joint_pass *pass, int32_t bias)
 {
 	wide_row r = row_load(&k->free[row], l);
 	cni_wide old = cni_wide_load(k->motor_j + l), mass = cni_wide_load(k->free_mass[row] + l), most = cni_wide_load(k->most + l) * pass->h;
 	cni_wide target = cni_wide_load(k->speed + l), impulse;
 	if (row == 0 && (k->has & CN_JOINT_LIMIT))
-		target = motor_target(target, cni_wide_load(k->below + l), cni_wide_load(k->above + l), pass->inv_h);
+		target = motor_target(target, cni_wide_load(k->below + l), cni_wide_load(k->above + l), pass, bias);
 	impulse = cni_wide_min(cni_wide_max(old - mass * (row_speed(&r, a, b) - target), -most), most);
 	cni_wide_store(k->motor_j + l, impulse);
 	row_push(&r, impulse - old, a, b);
@@ -396,7 +396,7 @@ CNI_INLINE void rows_solve(cni_row_block *k, int32_t l, int32_t form, side *a, s
 	if (bias && (k->has & CN_JOINT_SPRING))
 		spring_solve(k, l, a, b);
 	if (k->has & CN_JOINT_MOTOR)
-		motor_solve(k, l, cni_form_motor_row(form), a, b, pass);
+		motor_solve(k, l, cni_form_motor_row(form), a, b, pass, bias);
 	if (k->has & CN_JOINT_LIMIT)
 		limit_solve(k, l, a, b, pass, bias);
 	rigid_solve(k, l, cni_form_rigid_rows(form), a, b, pass, bias);

@@ -163,10 +163,10 @@ static void solve_spring(cni_row *r, float mass, cni_motion *a, cni_motion *b, c
 	cni_row_push(r, dj, a, b);
 }
 
-static void solve_motor(cni_row *r, float mass, cni_motion *a, cni_motion *b, const cni_solve *s)
+static void solve_motor(cni_row *r, float mass, cni_motion *a, cni_motion *b, const cni_solve *s, int32_t bias)
 {
 	float most = r->limit * s->h, old = r->impulse;
-	r->impulse = cni_clamp(old - mass * (cni_row_speed(r, a, b) - cni_motor_target(r, s->inv_h)), -most, most);
+	r->impulse = cni_clamp(old - mass * (cni_row_speed(r, a, b) - cni_motor_target(r, s->inv_h, cni_soft_error_rate(&s->joint, bias))), -most, most);
 	cni_row_push(r, r->impulse - old, a, b);
 }
 
@@ -200,7 +200,7 @@ static void solve_constraint(cni_joint_constraint *w, cni_motion *motions, const
 		if (w->active_row > 0 && k == w->active_row)
 			continue;
 		if (r->kind == CNI_ROW_MOTOR)
-			solve_motor(r, w->numbers->single_mass[k], a, b, s);
+			solve_motor(r, w->numbers->single_mass[k], a, b, s, bias);
 		else if (r->kind == CNI_ROW_LIMIT)
 			solve_limit(w, r, w->numbers->single_mass[k], a, b, s, bias);
 		else if (bias)

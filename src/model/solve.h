@@ -93,6 +93,11 @@ typedef struct cni_solve {
 
 /* Implicit-Euler soft constraint (Catto, "Soft Constraints", GDC 2011). */
 cni_soft cni_soft_implicit(float hertz, float damping_ratio, float h);
+/* Speed with which a soft row closes an error of 1; 0 in the relax pass, where it closes none. */
+static inline float cni_soft_error_rate(const cni_soft *soft, int32_t bias)
+{
+	return bias ? soft->bias_scale / soft->mass_scale : 0.0f;
+}
 /* Exact discrete spring: a single body on it has the true period and decay at any stiffness. */
 cni_soft cni_soft_exact(float hertz, float damping_ratio, float h);
 

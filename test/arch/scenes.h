@@ -19,13 +19,13 @@ typedef struct arch_scene {
 #define ARCH_SCENES 8
 static const arch_scene arch_scenes[ARCH_SCENES] = {
 	{ "shapes", scene_shapes, 0x8dcef6ef56fd76e0 },
-	{ "joints", scene_joints, 0x900541b2d3f1edda },
-	{ "direct", scene_direct, 0xa36630f1dd1e78fa },
+	{ "joints", scene_joints, 0xbe21a0462c0c2c4c },
+	{ "direct", scene_direct, 0x3ca333c65e40ddf6 },
 	{ "tiers", scene_tiers, 0x2c91204259f3384f },
 	{ "sequential", scene_sequential, 0x37028daf8c29bd86 },
 	{ "queries", scene_queries, 0x8f88edf789c0a19f },
 	{ "events", scene_events, 0x585d653455a9653d },
-	{ "file", scene_file, 0x0eb68890153448cf },
+	{ "file", scene_file, 0x53447e7324db5b1d },
 };
 
 /* The number of a scene; 0 if a call failed: arch_failed_line. */

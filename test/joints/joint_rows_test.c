@@ -266,7 +266,7 @@ static void fixed_memory_changes_nothing(void)
 static void nets_have_golden_bits(void)
 {
 	static const uint64_t golden[NET_KINDS] = {
-		0x6fd69acb0721a147, 0x2b2515f8c2008c61, 0x1e58133f66334b4a, 0x03f2fb1aa1920542, 0x2c3ca2e44f2d735a, 0x574cb9c217ba6c2b, 0xa5e7f4c3c73a09f0
+		0x6fd69acb0721a147, 0x2b2515f8c2008c61, 0x1e58133f66334b4a, 0x03f2fb1aa1920542, 0x2c3ca2e44f2d735a, 0xd6d0b97c70393ac3, 0xa5e7f4c3c73a09f0
 	};
 	int32_t kind, k;
 	for (kind = 0; kind < NET_KINDS; ++kind) {

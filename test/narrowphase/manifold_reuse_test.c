@@ -52,18 +52,13 @@ static int32_t contains(const int32_t *list, int32_t count, int32_t value)
 	return 0;
 }
 
-static int32_t has_lane(const cni_contact *c)
-{
-	return (c->flags & (CNI_CONTACT_TOUCHING | CNI_CONTACT_ASLEEP)) == CNI_CONTACT_TOUCHING;
-}
-
 /* Follows, copies what was followed, and loosens all. Returns the number of copies; total: lanes. */
 static int32_t follow_all(cn_world *world, int32_t *total)
 {
 	int32_t missed = cni_manifolds_reuse(world, FRAME_S, left), count = 0, k;
 	*total = 0;
 	for (k = 0; k < world->contact_used; ++k) {
-		if (!has_lane(cni_contact_at(world, k)))
+		if (!cni_contact_has_lane(cni_contact_at(world, k)))
 			continue;
 		++*total;
 		if (!contains(left, missed, k) && count < LANES_MOST)
@@ -89,11 +84,11 @@ static int32_t follow_all(cn_world *world, int32_t *total)
 /*
  * Corner on corner, the normal hangs on micrometres and may be any; a point may just have reached the margin. How many lanes of
  * a pile miss more than the above is chance: so several piles are looked at, and the part of such lanes is bound. What counts
- * in the end is where the surfaces are: with any other normal, they are off by no more than what slid at the point that was followed, and
- * the turn times the distance of the corner that is nearest now, as for arms.
+ * in the end is where the surfaces are. With any other normal they are off by no more than what slid at the point that was followed, and,
+ * where another corner is the nearest now, by its turn: over twice the extent it is limited to what may slide (manifold_reuse_kernel.h).
  */
 #define OTHER_PART (1.0 / 250.0)
-#define SEPARATION_OF_CORNERS ARM
+#define SEPARATION_OF_CORNERS (2.0 * 1.25e-3)
 static const float shifts[] = { 0.02f, 0.0201f, 0.0203f, 0.0204f, 0.0211f, 0.0212f, 0.022f }; /* of one row of a pile against the next */
 enum { PILES = sizeof shifts / sizeof shifts[0] };
 
@@ -176,7 +171,7 @@ static void run(cn_world *world, int32_t steps, worst *w)
 		w->lanes += total;
 		must(cn_world_step(world, 0.0f), world, "cn_world_step");
 		for (k = 0; k < count; ++k) {
-			if (has_lane(cni_contact_at(world, copies[k].contact))) {
+			if (cni_contact_has_lane(cni_contact_at(world, copies[k].contact))) {
 				lane_copy now = lane_read(world, copies[k].contact);
 				compare(w, &copies[k], &now);
 			} else

@@ -28,12 +28,12 @@ static const golden goldens[] = {
 	{ "small_200", 300, 1, 0x457c9790fc1008f3 },
 	{ "small_50_sleep", 600, 1, 0x6996793c00184850 },
 	{ "dominoes", 400, 1, 0xf0cd4a647cf23da5 },
-	{ "ragdolls", 480, 1, 0xf8065073aa318767 },
+	{ "ragdolls", 480, 1, 0xdd955f0db29f46c2 },
 	{ "bridge", 240, 1, 0x7e65abaee47b6d2c },
 	{ "car", 400, 1, 0x28e311b6b19b7930 },
 	{ "mixer", 240, 1, 0x2d234f91152a58e2 },
 	{ "pyramid", 120, 0, 0xbb24e8518c196cd8 },
-	{ "rain", 150, 0, 0x310c22ab4db1fd76 },
+	{ "rain", 150, 0, 0xbd48b22521a1db77 },
 	{ "tumbler_1000", 300, 0, 0x9482ebb19bed98a4 },
 };
 /* clang-format on */

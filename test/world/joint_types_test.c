@@ -159,7 +159,7 @@ static double driven_beyond(int32_t solver, int32_t type, float speed, float mos
 		joint = make_distance(world, &def);
 	}
 	for (k = 0; k < links; ++k) {
-		cn_body next = unit_box(world, 1.5f * (float)(k + 1), 0.0f, 0.0f);
+		cn_body next = unit_box(world, (float)middle + 1.5f * (float)(k + 1), 0.0f, 0.0f);
 		hinge(world, link, at(0.75f, 0.0f), next, at(-0.75f, 0.0f));
 		link = next;
 	}
@@ -174,16 +174,16 @@ static double driven_beyond(int32_t solver, int32_t type, float speed, float mos
 }
 
 /* A limit is a soft row, a motor a hard one: however strong, the motor stops at the limit. What is left is the stop itself: less than the
-   way of a substep at the motor's speed. */
+   way of a substep at the motor's speed. At 50 rad/s the ends of two links, which go at 175 m/s, tear at soft hinges: not judged. */
 static void strong_motors_stop_at_limits(void)
 {
-	static const struct { int32_t solver, links; } cases[] = { { CN_SOLVER_SOFT, 0 }, { CN_SOLVER_AUTO, 0 }, { CN_SOLVER_AUTO, 2 } };
+	static const struct { int32_t solver, links; } cases[] = { { CN_SOLVER_SOFT, 0 }, { CN_SOLVER_AUTO, 0 }, { CN_SOLVER_AUTO, 2 }, { CN_SOLVER_SOFT, 2 } };
 	static const int32_t types[] = { CN_JOINT_REVOLUTE, CN_JOINT_PRISMATIC, CN_JOINT_DISTANCE };
 	static const float speeds[] = { 0.5f, 5.0f, 50.0f };
 	int32_t type, k, speed;
 	for (type = 0; type < 3; ++type)
-		for (k = 0; k < 3; ++k)
-			for (speed = 0; speed < 3; ++speed) {
+		for (k = 0; k < 4; ++k)
+			for (speed = 0; speed < (k == 3 ? 2 : 3); ++speed) {
 				double beyond = driven_beyond(cases[k].solver, types[type], speeds[speed], 1e6f, cases[k].links);
 				CHECK_LE("a motor of 1e6 N or Nm beyond the limit", beyond, 0.01 + (double)speeds[speed] / 240.0, "m or rad");
 			}

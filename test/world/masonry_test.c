@@ -311,9 +311,9 @@ static int32_t most_work(int32_t arches, int32_t *solved)
 static void t_systems_share_the_work_of_a_step(void)
 {
 	int32_t solved, one = most_work(1, &solved), all;
-	CHECK_GE("work of one arch", one, CNI_CONE_WORK / 20, "blocks");
+	CHECK_GE("work of one arch", one, CNI_ATTEMPT_WORK / 20, "blocks");
 	all = most_work(16, &solved);
-	CHECK_LE("work of 16 arches in a step", all, 2 * CNI_CONE_WORK, "blocks");
+	CHECK_LE("work of 16 arches in a step", all, 2 * CNI_ATTEMPT_WORK, "blocks");
 	CHECK_GE("steps with interior points", solved, 5, "");
 }
 

@@ -224,19 +224,19 @@ static int32_t thrown_out(int32_t kind, int32_t edges, int32_t thickness, int32_
 	return out;
 }
 
-/* Of 20,000 of each kind 0.01 to 0.02% leave a room of edges; of triangles 0.55%, for the tip of a wedge has no core. In a sample of 240
-   triangles 3 or more are out once in seven samples, 5 or more once in a hundred. */
+/* Of 20,000 of each kind 0.01 to 0.02% leave a room of edges; of triangles 0.55%, for the tip of a wedge has no core: a share that takes a
+   sample of thousands. */
 static void t_what_is_thrown_stays_in_the_room(void)
 {
 	int32_t kind, edges, i, seed;
 	for (kind = 0; kind < THIN_KINDS; ++kind)
 		for (edges = 0; edges < 2; ++edges) {
-			int32_t out = 0, all = THROWN * THICKNESSES * SEEDS;
+			int32_t out = 0, seeds = kind == THIN_TRIANGLE && edges ? 10 * SEEDS : SEEDS, all = THROWN * THICKNESSES * seeds;
 			for (i = 0; i < THICKNESSES; ++i)
-				for (seed = 0; seed < SEEDS; ++seed)
+				for (seed = 0; seed < seeds; ++seed)
 					out += thrown_out(kind, edges, i, seed);
 			printf("  %s, walls are %s: of %d\n", thin_names[kind], edges ? "edges" : "boxes", all);
-			CHECK_LE("share out of the room", (double)out / all, kind == THIN_TRIANGLE ? 0.02 : 0.0, "");
+			CHECK_LE("share out of the room", (double)out / all, kind == THIN_TRIANGLE ? 0.01 : 0.0, "");
 		}
 }
 
