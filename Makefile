@@ -345,7 +345,7 @@ families: $(BUILD)/bin/families
 chart: $(BUILD)/bin/stability
 	@CC='$(CC)' ROUNDS='$(ROUNDS)' sh test/stability/chart/run.sh $(BUILD) $(if $(PEERS),--peers)
 
-# Each mechanism off alone: test/ablation/README.md. MECHANISM='SPIN REST': those; ROUNDS=4, SEEDS=20, JOBS=2.
+# Each mechanism off alone: test/ablation/README.md. MECHANISM='ANGULAR_MOMENTUM EARLY_REST': those; ROUNDS=4, SEEDS=20, JOBS=2.
 .PHONY: ablation
 ablation:
 	@CC='$(CC)' JOBS=$(JOBS) ROUNDS='$(ROUNDS)' SEEDS='$(SEEDS)' sh test/ablation/run.sh $(BUILD) $(MECHANISM)

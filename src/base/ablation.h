@@ -5,7 +5,7 @@
  * mechanism. CNI_ON is the constant 1, except in a build with -DCNI_ABLATION, in which test/ablation/off.c switches off the
  * mechanisms that the environment variable CAIRN_OFF names.
  *
- *     if (CNI_ON(SPIN))
+ *     if (CNI_ON(ANGULAR_MOMENTUM))
  *             cni_angular_momentum_restore(world);
  */
 #ifndef CNI_BASE_ABLATION_H
@@ -14,42 +14,42 @@
 #include <stdint.h>
 
 #define CNI_MECHANISMS(X) \
-	X(DIRECT_CONTACTS)  /* contacts of quiet piles solved as one system */ \
-	X(CONES)            /* ... by an interior point method where no active set is found */ \
-	X(DIRECT_JOINTS)    /* joints solved as one system, and all that depends on it */ \
-	X(HERDS)            /* trees of pins of one topology class solved side by side */ \
-	X(SWINGS)           /* RATTLE for bodies that only joints hold */ \
-	X(CLOSE)            /* joint projection after contacts */ \
-	X(TENSION)          /* geometric stiffness: damping of light links under tension */ \
-	X(ACTIVE)           /* motors and limits in the system of their joints */ \
-	X(SOFT_LOOPS)       /* loops of pins and rods that touch something are soft */ \
-	X(TRUST)            /* delayed retry after a failed direct solution */ \
-	X(PILE_LOAD)        /* gravity preload of new piles, top-down */ \
-	X(LOADS)            /* soft contacts yield around a compliance offset */ \
-	X(SHOCKS)           /* joints drop the warm start impulses of impacts */ \
-	X(SPIN)             /* angular momentum correction of free islands */ \
-	X(IMPACTS)          /* restitution; without it nothing bounces */ \
-	X(FRESH_ROUNDS)     /* new contacts iterate between normals and friction */ \
-	X(NORMAL_LAG)       /* CN_SOLVER_SOFT: lagging normals */ \
-	X(SEAMS)            /* no corners between flush faces */ \
-	X(GRAZES)           /* a speculative contact ahead does not stop shapes that pass by */ \
-	X(MEETINGS)         /* manifolds of fast pairs are computed at the poses where they meet */ \
-	X(TRAPEZOID)        /* second-order drift of positions */ \
-	X(FLIGHT)           /* free bodies take the whole step at once */ \
-	X(EXACT_SPRINGS)    /* springs with the true period and decay */ \
-	X(MEAN_STEP)        /* stiffness tied to the mean step */ \
-	X(HARDENING)        /* contacts harden with depth */ \
-	X(REST)             /* early rest: islands at rest take one substep */ \
-	X(FOLLOW)           /* manifold reuse: contacts that hardly moved are updated in their lanes */ \
-	X(SIFT)             /* culling of separated pairs, four at a time */ \
-	X(WIDE_BOXES)       /* fat boxes with margins by size, extended along free flight */ \
-	X(JOINT_LANES)      /* joints side by side in lanes */ \
-	X(ROW_LANES)        /* ... also joints other than pins */ \
-	X(KEPT_LANES)       /* ... in the lanes of the last step */ \
-	X(BODY_KERNELS)     /* bodies side by side in integration and finalize */ \
-	X(MANIFOLD_BATCHES) /* manifolds of polygons, capsules and edges side by side */ \
-	X(KEPT_PLANS)       /* plans of systems are kept from step to step */ \
-	X(SWEEP)            /* the tiled sweep; without it the tree */
+	X(DIRECT_CONTACTS)    /* contacts of quiet piles solved as one system */ \
+	X(CONES)              /* ... by an interior point method where no active set is found */ \
+	X(DIRECT_JOINTS)      /* joints solved as one system, and all that depends on it */ \
+	X(TREE_BATCHES)       /* trees of pins of one topology class solved side by side */ \
+	X(RATTLE)             /* RATTLE for bodies that only joints hold */ \
+	X(JOINT_PROJECTION)   /* joint projection after contacts */ \
+	X(GEOMETRIC_STIFFNESS)/* geometric stiffness: damping of light links under tension */ \
+	X(ACTIVE_ROWS)        /* motors and limits in the system of their joints */ \
+	X(SOFT_LOOPS)         /* loops of pins and rods that touch something are soft */ \
+	X(RETRY_DELAY)        /* delayed retry after a failed direct solution */ \
+	X(GRAVITY_PRELOAD)    /* gravity preload of new piles, top-down */ \
+	X(COMPLIANCE_OFFSETS) /* soft contacts yield around a compliance offset */ \
+	X(VELOCITY_JUMPS)     /* joints drop the warm start impulses of impacts */ \
+	X(ANGULAR_MOMENTUM)   /* angular momentum correction of free islands */ \
+	X(IMPACTS)            /* restitution; without it nothing bounces */ \
+	X(FRESH_ROUNDS)       /* new contacts iterate between normals and friction */ \
+	X(NORMAL_LAG)         /* CN_SOLVER_SOFT: lagging normals */ \
+	X(SEAMS)              /* no corners between flush faces */ \
+	X(SPECULATIVE_MISSES) /* a speculative contact ahead does not stop shapes that pass by */ \
+	X(MEETING_POSES)      /* manifolds of fast pairs are computed at the poses where they meet */ \
+	X(TRAPEZOID)          /* second-order drift of positions */ \
+	X(FLIGHT)             /* free bodies take the whole step at once */ \
+	X(EXACT_SPRINGS)      /* springs with the true period and decay */ \
+	X(MEAN_STEP)          /* stiffness tied to the mean step */ \
+	X(HARDENING)          /* contacts harden with depth */ \
+	X(EARLY_REST)         /* early rest: islands at rest take one substep */ \
+	X(MANIFOLD_REUSE)     /* manifold reuse: contacts that hardly moved are updated in their lanes */ \
+	X(CULLING)            /* culling of separated pairs, four at a time */ \
+	X(FAT_BOXES)          /* fat boxes with margins by size, extended along free flight */ \
+	X(JOINT_LANES)        /* joints side by side in lanes */ \
+	X(ROW_LANES)          /* ... also joints other than pins */ \
+	X(KEPT_LANES)         /* ... in the lanes of the last step */ \
+	X(BODY_KERNELS)       /* bodies side by side in integration and finalize */ \
+	X(MANIFOLD_BATCHES)   /* manifolds of polygons, capsules and edges side by side */ \
+	X(KEPT_PLANS)         /* plans of systems are kept from step to step */ \
+	X(SWEEP)              /* the tiled sweep; without it the tree */
 
 #define CNI_MECHANISM_ENTRY(name) CNI_MECHANISM_##name,
 enum { CNI_MECHANISMS(CNI_MECHANISM_ENTRY) CNI_MECHANISM_COUNT };

@@ -113,7 +113,7 @@ CNI_INLINE point point_prepare(const cni_contact_block *k, const cni_contact_row
 	scale = bias ? cni_wide_select(s > zero, one, mass_scale) : one;
 	q.m = scale * nm;
 	q.target = scale * q.old - nm * (scale * vn + push);
-	if (bias && CNI_ON(LOADS))
+	if (bias && CNI_ON(COMPLIANCE_OFFSETS))
 		q.target += (1.0f - scale) * cni_wide_load(p->load + l);
 	if (!bias || bounces != NULL) {
 		/* Impacts belong to restitution.c. If its sweeps find that bodies do not meet in this substep, they meet in the next, and

@@ -96,7 +96,7 @@ void cni_direct_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, c
 	cni_sparse_clear(sparse, c);
 	cni_direct_rotations(world, sparse, c);
 	cni_geometric_stiffness_find(world, sparse, c, s->h);
-	c->active = c->has_contacts || c->kind != CNI_NONE || !CNI_ON(ACTIVE) ? 0 : cni_active_begin(world, s, sparse, c);
+	c->active = c->has_contacts || c->kind != CNI_NONE || !CNI_ON(ACTIVE_ROWS) ? 0 : cni_active_begin(world, s, sparse, c);
 	if (c->active || cni_geometric_stiffness_needs_dampers(world, sparse, c, s->h))
 		c->width = CNI_NODE_ROWS;
 	cni_direct_system(world, s, sparse, c);

@@ -144,7 +144,7 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 		if (far && k + 1 < out->component_count)
 			cni_component_prefetch(world, out, k + 1);
 		c->regular = c->has_contacts ? CNI_REGULARIZATION_CONTACTS : c->loops ? CNI_REGULARIZATION_LOOPS : 0.0f;
-		c->uses_rattle = CNI_ON(SWINGS) && !c->has_contacts && cni_component_uses_rattle(world, s, out, c);
+		c->uses_rattle = CNI_ON(RATTLE) && !c->has_contacts && cni_component_uses_rattle(world, s, out, c);
 		if (loop_is_better_soft(world, out, c)) {
 			impulses_soften(world, s, out, c);
 			cni_component_suspend(world, out, c, CNI_TRUST_MOST);
@@ -152,14 +152,14 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 			cni_component_release(world, out, c);
 		else if (c->uses_rattle)
 			cni_sparse_clear(out, c);
-		else if (!(c->batches = CNI_ON(HERDS) ? cni_component_is_batched(world, s, out, c) : 0)) {
+		else if (!(c->batches = CNI_ON(TREE_BATCHES) ? cni_component_is_batched(world, s, out, c) : 0)) {
 			c->kind = CNI_NONE;
 			cni_direct_begin(world, s, out, c);
 		}
 	}
 	cni_tree_batches_make(world, s, out);
 	cni_direct_contacts_extract(world, out);
-	if (CNI_ON(CLOSE))
+	if (CNI_ON(JOINT_PROJECTION))
 		cni_projection_mark(world, out);
 	world->direct_work = work_planned(world, out);
 }

@@ -43,7 +43,7 @@ static inline void cni_trust_suspend(cni_joint_trust *t, uint32_t step, int32_t 
 static inline void cni_trust_fail(cni_joint_trust *t, uint32_t step, int32_t soft)
 {
 	int32_t lately = t->span > 0 && (int32_t)(step - t->until) < CNI_TRUST_MOST;
-	cni_trust_suspend(t, step, !CNI_ON(TRUST) ? 1 : lately ? cni_min_i(2 * t->span, CNI_TRUST_MOST) : CNI_TRUST_LEAST, soft);
+	cni_trust_suspend(t, step, !CNI_ON(RETRY_DELAY) ? 1 : lately ? cni_min_i(2 * t->span, CNI_TRUST_MOST) : CNI_TRUST_LEAST, soft);
 }
 /* Part of an impulse between two bodies with which the soft solver may start: it gives the lighter one at most the speed of
    CNI_DIRECT_SOFT_STRESS of its weights. With more the soft solver crushes the body from any start, and throws it when the impulses on both

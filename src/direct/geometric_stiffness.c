@@ -93,7 +93,7 @@ float cni_geometric_stiffness_largest(const cn_world *world, const cni_sparse *s
 
 int32_t cni_geometric_stiffness_needs_dampers(const cn_world *world, const cni_sparse *sparse, const cni_component *c, float h)
 {
-	return CNI_ON(TENSION) && h * h * cni_geometric_stiffness_largest(world, sparse, c) > 0.5f * CNI_STIFFNESS_XI_MAX;
+	return CNI_ON(GEOMETRIC_STIFFNESS) && h * h * cni_geometric_stiffness_largest(world, sparse, c) > 0.5f * CNI_STIFFNESS_XI_MAX;
 }
 
 /* c of a body: the part of h^2 sum(r.f) that a substep does not resolve. */
@@ -112,7 +112,7 @@ static int32_t is_fixed(const cn_world *world, int32_t index)
 void cni_geometric_stiffness_damp(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h)
 {
 	int32_t k;
-	if (c->width < CNI_NODE_ROWS || !CNI_ON(TENSION))
+	if (c->width < CNI_NODE_ROWS || !CNI_ON(GEOMETRIC_STIFFNESS))
 		return;
 	cni_geometric_stiffness_find(world, sparse, c, h);
 	for (k = c->begin; k < c->end; ++k) {
@@ -132,7 +132,7 @@ int32_t cni_geometric_stiffness_lock(const cn_world *world, const cni_sparse *sp
 	const cni_motion *motions = cni_motions(world);
 	float most = CNI_SNAP_RAD / h;
 	int32_t k, found = 0;
-	for (k = c->begin; k < c->end && CNI_ON(TENSION); ++k) {
+	for (k = c->begin; k < c->end && CNI_ON(GEOMETRIC_STIFFNESS); ++k) {
 		cni_node *n = &sparse->nodes[k];
 		if (n->rows != 2 || cni_joint_constraints(world)[n->owner].active_row > 0 || is_fixed(world, n->ia) || is_fixed(world, n->ib) ||
 		    (cni_abs(motions[n->ia].w) <= most && cni_abs(motions[n->ib].w) <= most) || cni_abs(motions[n->ib].w - motions[n->ia].w) <= 0.5f * most)

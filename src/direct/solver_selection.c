@@ -193,7 +193,7 @@ void cni_island_refuse(cn_world *world, int32_t island, int32_t reason)
 	if (is_long_ago(world, i->refused_step, i->refused_steps))
 		i->refused_steps = 0;
 	i->refused_step = world->step_count;
-	i->refused_steps = CNI_ON(TRUST) ? cni_min_i(cni_max_i(2 * i->refused_steps, first), CNI_SELECTION_REFUSED_MAX) : 1;
+	i->refused_steps = CNI_ON(RETRY_DELAY) ? cni_min_i(cni_max_i(2 * i->refused_steps, first), CNI_SELECTION_REFUSED_MAX) : 1;
 }
 
 /* ---- the search for bad contacts ---- */

@@ -272,7 +272,7 @@ static int32_t box_leaves(const cn_world *world, const cni_body *b, const cni_sh
 		*room = box_room(now, &box) - rounding;
 		return BOX_STAYS_AHEAD;
 	}
-	if (reaches && b->lanes == 0 && CNI_ON(WIDE_BOXES))
+	if (reaches && b->lanes == 0 && CNI_ON(FAT_BOXES))
 		box = box_stretch(box, cni_mul(CNI_BOX_FLIGHT_STEPS, ahead));
 	*fat = cni_box_fatten(box, margin);
 	*room = margin - rounding;

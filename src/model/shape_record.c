@@ -45,7 +45,7 @@ int32_t cni_shape_edge_proxy(const cn_world *world, const cni_shape *s, int32_t 
 float cni_box_margin(const cn_world *world, int32_t body_type, const cni_aabb *tight)
 {
 	const cni_settings *set = &world->settings;
-	if (body_type == CN_BODY_STATIC || !CNI_ON(WIDE_BOXES))
+	if (body_type == CN_BODY_STATIC || !CNI_ON(FAT_BOXES))
 		return set->contact_margin;
 	return cni_clamp(CNI_BOX_MARGIN_PART * cni_max(tight->x1 - tight->x0, tight->y1 - tight->y0), set->contact_margin, set->box_margin);
 }

@@ -432,7 +432,7 @@ void cni_cull_open(cni_cull_list *list, cn_world *world, const int32_t *contacts
 {
 	list->world = world;
 	list->contacts = contacts;
-	list->apart = CNI_ON(SIFT) ? apart : 0;
+	list->apart = CNI_ON(CULLING) ? apart : 0;
 	list->count = count;
 	list->dt = dt;
 	list->margin = world->settings.contact_margin;

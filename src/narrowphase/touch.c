@@ -275,7 +275,7 @@ void cni_touch_finish(const cn_world *world, float dt, cni_touch *out)
 	b_center = cni_transform_point(out->in.b_in_a, b->local_center);
 	least = out->contact->flags & CNI_CONTACT_TOUCHING ? 0.0f : -out->in.slop;
 	later = depth_ahead(&out->manifold, m, a, b_center, least, dt + dt / (float)world->settings.substeps);
-	if (later > 0.0f && CNI_ON(GRAZES)) {
+	if (later > 0.0f && CNI_ON(SPECULATIVE_MISSES)) {
 		sooner = depth_ahead(&out->manifold, m, a, b_center, least, dt);
 		if (shadows_graze(&out->in, m, a, b, sooner, dt))
 			out->manifold.count = 0;
@@ -283,7 +283,7 @@ void cni_touch_finish(const cn_world *world, float dt, cni_touch *out)
 	if (m->reach <= margin || out->manifold.count == 0)
 		return;
 	nearest = drop_unreached(&out->manifold, m, a, b_center, margin, dt);
-	if (CNI_ON(MEETINGS) && out->manifold.count > 0 && nearest > 2.0f * world->settings.contact_margin)
+	if (CNI_ON(MEETING_POSES) && out->manifold.count > 0 && nearest > 2.0f * world->settings.contact_margin)
 		meet(world, a, b, &out->in, dt, out);
 }
 

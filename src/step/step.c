@@ -126,9 +126,9 @@ static void substeps_lead(void *context)
 		joints_relax(world, s);
 		cni_contacts_relax(world, s);
 		impulses_sum(world, s);
-		if (has_joints(world) && CNI_ON(SHOCKS))
+		if (has_joints(world) && CNI_ON(VELOCITY_JUMPS))
 			cni_velocity_jumps_reset(world, s);
-		if (k == 0 && CNI_ON(REST))
+		if (k == 0 && CNI_ON(EARLY_REST))
 			cni_rest_find(world, s);
 	}
 	cni_integrate_finish(world, s);
@@ -188,7 +188,7 @@ static int32_t step_soft(cn_world *world, float dt, uint64_t *mark)
 		cni_stage_select_solvers(world, s.h);
 	if (CNI_HAS_DIRECT && (has_joints(world) || world->direct_islands.count > 0))
 		cni_direct_prepare(world, &s, &direct);
-	if (CNI_HAS_DIRECT && CNI_ON(PILE_LOAD))
+	if (CNI_HAS_DIRECT && CNI_ON(GRAVITY_PRELOAD))
 		cni_gravity_preload(world, &s);
 	if (has_direct(&s))
 		cni_rattle_run(world, &s);
@@ -200,7 +200,7 @@ static int32_t step_soft(cn_world *world, float dt, uint64_t *mark)
 		cni_joints_store(world, &s);
 	if (has_direct(&s))
 		cni_direct_store(world, &s);
-	if (CNI_ON(SPIN))
+	if (CNI_ON(ANGULAR_MOMENTUM))
 		cni_angular_momentum_restore(world);
 	cni_external_finish(world);
 	profile_mark(world, &profile->substeps_s, mark);

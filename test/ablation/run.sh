@@ -46,7 +46,7 @@ if [ -n "$quick" ]; then
 	mkdir -p "$out"
 	variant CFLAGS=-O1 "$out/bin/stability"
 	CAIRN_OFF= "$out/bin/stability" 9_cluster > "$out/quick_on.txt" || { tail -n 20 "$out/quick_on.txt"; exit 1; }
-	CAIRN_OFF=spin "$out/bin/stability" 9_cluster > "$out/quick_off.txt" && { echo "ablation: the switch of SPIN does nothing"; exit 1; }
+	CAIRN_OFF=angular_momentum "$out/bin/stability" 9_cluster > "$out/quick_off.txt" && { echo "ablation: the switch of ANGULAR_MOMENTUM does nothing"; exit 1; }
 	tail -n 1 "$out/quick_off.txt"
 	exit 0
 fi

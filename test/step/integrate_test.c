@@ -87,7 +87,7 @@ static void get(const cn_world *world, state *s)
 	memcpy(s->drives, cni_externals(world), sizeof s->drives);
 }
 
-enum { VELOCITIES_FIRST, VELOCITIES, POSITIONS, FINISH, SHOCKS, LOOPS };
+enum { VELOCITIES_FIRST, VELOCITIES, POSITIONS, FINISH, JUMPS, LOOPS };
 
 static void run(cn_world *world, const cni_body_kernel *kernel, int32_t loop, state *out)
 {

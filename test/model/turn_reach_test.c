@@ -1,5 +1,5 @@
 /*
- * test/model/swing_test.c - cni_body_turn_reach bounds how far turning moves the shapes of a body. It is what the boxes ahead, the
+ * test/model/turn_reach_test.c - cni_body_turn_reach bounds how far turning moves the shapes of a body. It is what the boxes ahead, the
  * narrowphase and continuous collision ask.
  *
  * If a test here fails, look first in: model/body.c (measure_shapes).
