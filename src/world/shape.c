@@ -176,19 +176,17 @@ cn_result cn_shape_set_filter(cn_world *world, cn_shape shape, const cn_filter *
 	return CN_OK;
 }
 
-cn_result cn_shape_get_filter(const cn_world *world, cn_shape shape, cn_filter *out)
+static cn_filter filter_of(const cni_shape *s)
 {
-	cni_call call = cni_enter_const(world);
-	const cni_shape *s = cni_check_shape(&call, "shape", shape);
-	cni_check_pointer(&call, "out", out);
-	if (call.result != CN_OK)
-		return call.result;
-	out->category = s->category;
-	out->mask = s->mask;
-	out->group = s->group;
-	out->reserved = 0;
-	return CN_OK;
+	cn_filter f;
+	f.category = s->category;
+	f.mask = s->mask;
+	f.group = s->group;
+	f.reserved = 0;
+	return f;
 }
+
+CNI_DEFINE_GET(shape, filter, cn_filter, filter_of(record))
 
 /* A contact reports the events that either of its shapes requests. */
 static void contact_refresh_mask(cn_world *world, int32_t contact)
