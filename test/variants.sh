@@ -174,7 +174,7 @@ amalgamation_golden() { # compiler
 # Bare metal: the smallest configuration on three processors, with bounds on its flash, RAM and stack; what it refuses; and tests of a
 # library with small blocks, whose sleeping contacts are kept in another way.
 embedded() {
-	sh examples/embedded/run.sh "$build/embedded" least > "$build/embedded.log" 2>&1
+	sh examples/embedded/run.sh "$build/embedded" least plain > "$build/embedded.log" 2>&1
 	read_log embedded $?
 	check embedded-refused embedded_refused
 	suite small-blocks gcc '-O1' "$slow -DCN_SMALL_BLOCKS -DCN_NO_THREADS" "$small"

@@ -2,8 +2,8 @@
  * base/ablation.h - switches of `make ablation`: one per mechanism that a textbook engine with soft constraints does not have.
  *
  * Without a mechanism the simulation is complete but weaker or slower. A stage tests CNI_ON(name) before it uses the
- * mechanism. CNI_ON is the constant 1, except in a build with -DCNI_ABLATION, in which test/ablation/off.c switches off the
- * mechanisms that the environment variable CAIRN_OFF names.
+ * mechanism. CNI_ON is a constant: 1, or with -DCN_PLAIN_STEP 0 for some. In a build with -DCNI_ABLATION test/ablation/off.c switches
+ * off the mechanisms that the environment variable CAIRN_OFF names.
  *
  *     if (CNI_ON(ANGULAR_MOMENTUM))
  *             cni_angular_momentum_restore(world);
@@ -58,6 +58,12 @@ enum { CNI_MECHANISMS(CNI_MECHANISM_ENTRY) CNI_MECHANISM_COUNT };
 #ifdef CNI_ABLATION
 extern uint64_t cni_ablation_off; /* bits; written before the first step and never while a step runs */
 #define CNI_ON(name) ((cni_ablation_off >> CNI_MECHANISM_##name & 1u) == 0)
+#elif defined CN_PLAIN_STEP /* without those that a small world can do without: examples/embedded/README.md */
+#define CNI_MECHANISM_BIT(name) (UINT64_C(1) << CNI_MECHANISM_##name)
+#define CNI_NOT_PLAIN \
+	(CNI_MECHANISM_BIT(ANGULAR_MOMENTUM) | CNI_MECHANISM_BIT(SEAMS) | CNI_MECHANISM_BIT(SPECULATIVE_MISSES) | CNI_MECHANISM_BIT(MEETING_POSES) | \
+	 CNI_MECHANISM_BIT(EARLY_REST) | CNI_MECHANISM_BIT(MANIFOLD_REUSE) | CNI_MECHANISM_BIT(CULLING))
+#define CNI_ON(name) ((CNI_NOT_PLAIN & CNI_MECHANISM_BIT(name)) == 0)
 #else
 #define CNI_ON(name) 1
 #endif

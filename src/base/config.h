@@ -90,6 +90,11 @@
 #else
 #define CNI_HAS_MESSAGES 1
 #endif
+#ifdef CN_NO_CLOCK /* CN_WORLD_PROFILE measures nothing */
+#define CNI_HAS_CLOCK 0
+#else
+#define CNI_HAS_CLOCK 1
+#endif
 #if !CNI_HAS_SWEEP && !CNI_HAS_TREE
 #error "CN_NO_SWEEP and CN_NO_TREE: a world needs one broadphase"
 #endif

@@ -195,7 +195,7 @@ static uint32_t kernel_reuse(const cni_reuse_pass *pass, cni_contact_block *k, c
 {
 	uint32_t reused = 0;
 	int32_t l;
-	for (l = 0; l < CNI_LANES; l += CNI_WIDTH) {
+	for (l = 0; l < CNI_LANES && CNI_ON(MANIFOLD_REUSE); l += CNI_WIDTH) {
 		uint32_t lanes = anchored & ((1u << CNI_WIDTH) - 1u) << l;
 		if (lanes != 0)
 			reused |= reuse_group(pass, k, anchor, bodies, lanes, l);

@@ -112,11 +112,11 @@ void cni_body_refresh_motion(cn_world *world, cni_body *b)
 	m->inv_mass = b->type == CN_BODY_DYNAMIC && (b->flags & both) != both ? 1.0f / b->mass : 0.0f;
 	m->inv_inertia = b->type == CN_BODY_DYNAMIC && b->inertia > 0.0f && !(b->flags & CN_BODY_LOCK_ROTATION) ? 1.0f / b->inertia : 0.0f;
 	if (b->flags & CN_BODY_LOCK_X)
-		m->vx = 0.0f;
+		m->vx = b->vx = 0.0f;
 	if (b->flags & CN_BODY_LOCK_Y)
-		m->vy = 0.0f;
+		m->vy = b->vy = 0.0f;
 	if (b->flags & CN_BODY_LOCK_ROTATION)
-		m->w = 0.0f;
+		m->w = b->w = 0.0f;
 }
 
 static void arrays_set_count(cn_world *world, int32_t count)

@@ -59,6 +59,8 @@ cn_result cni_proxy_reserve(cn_world *world, int32_t extra)
 
 void cni_seams_change(cn_world *world, const cni_aabb *box)
 {
+	if (!CNI_ON(SEAMS))
+		return;
 	world->seams_box = world->seams_changed ? cni_aabb_union(&world->seams_box, box) : *box;
 	world->seams_changed = 1;
 }

@@ -467,7 +467,7 @@ int32_t cni_cull_next(cni_cull *s, cni_touch_pair *out, int32_t most)
 	while (count < most && (s->left != 0 || s->at < s->end)) {
 		if (s->left != 0)
 			count += take_left(s, out + count, most - count);
-		else if (s->at < s->of.apart)
+		else if (CNI_ON(CULLING) && s->at < s->of.apart)
 			batch_cull(s);
 		else
 			count += take_touching(s, out + count, most - count);

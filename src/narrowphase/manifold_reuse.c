@@ -184,7 +184,7 @@ static uint32_t block_reuse(const reuse_loop *loop, int32_t block)
 {
 	const cn_world *world = loop->world;
 	const cni_block_info *info = cni_block_info_at(world, block);
-	uint32_t anchored = loop->pass.dt == 0.0f ? 0 : info->anchored;
+	uint32_t anchored = loop->pass.dt > 0.0f && CNI_ON(MANIFOLD_REUSE) ? info->anchored : 0;
 	cni_reuse_bodies bodies;
 	if (anchored != 0 && loop->pass.poses != NULL && info->color < CNI_COLOR_STATIC)
 		return loop->kernel->reuse(&loop->pass, cni_block_at(world, block), cni_block_anchor_at(world, block), NULL, anchored);
@@ -231,7 +231,7 @@ int32_t cni_manifolds_reuse(cn_world *world, float dt, int32_t *remaining)
 	loop.kernel = cni_contact_kernel_choose();
 	loop.pass = pass_make(world, dt);
 	anchored = blocks_list(world, &loop);
-	if (dt > 0.0f)
+	if (dt > 0.0f && CNI_ON(MANIFOLD_REUSE))
 		loop.pass.poses = poses = poses_make(world, anchored);
 	cni_parallel_for(world, loop.count, BLOCKS_A_RANGE, reuse_range, &loop);
 	cni_arena_pop(&world->arena, poses);

@@ -480,7 +480,7 @@ void cni_stage_narrowphase(cn_world *world, float dt)
 	collide_loop loop;
 	if (contacts == NULL)
 		return; /* there has never been a contact */
-	count = apart + cni_manifolds_reuse(world, CNI_ON(MANIFOLD_REUSE) ? dt : 0.0f, contacts + apart); /* the list has room for every contact */
+	count = apart + cni_manifolds_reuse(world, dt, contacts + apart); /* the list has room for every contact */
 	loop.changes = (uint8_t *)cni_arena_push(&world->arena, (uint64_t)count);
 	cni_begun_open(&loop.store, world, apart, cni_min_i(world->pairs.list.count, apart));
 	cni_cull_open(&loop.list, world, contacts, apart, count, dt);

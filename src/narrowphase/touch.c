@@ -130,7 +130,7 @@ static cni_path path_make(const cni_body *b, cni_vec2 from, const cni_motion *m,
 /* Hidden corners, or a loop: most have none. */
 static inline int32_t may_have_seams(const cni_manifold_input *in)
 {
-	return (in->a->seams | in->b->seams) != 0;
+	return CNI_ON(SEAMS) && (in->a->seams | in->b->seams) != 0;
 }
 
 /* A shape deeper than the contact margin behind a surface does not lie on it. */

@@ -29,32 +29,32 @@ static uint32_t geometry_words(int32_t type, uint32_t count)
 	return ((uint32_t)cni_geometry_bytes(type, (int32_t)count) - (uint32_t)sizeof(cni_geometry)) / 4u + 7u;
 }
 
-static float float_pass(cni_file *f, float x)
+/* READ stores finite numbers; else the number is only read. */
+static void float_pass(cni_file *f, float *x)
 {
 	uint32_t word;
-	memcpy(&word, &x, sizeof word);
+	memcpy(&word, x, sizeof word);
 	word = cni_file_word(f, word);
+	if (f->mode != CNI_FILE_READ)
+		return;
 	if ((word & 0x7F800000u) == 0x7F800000u) {
 		cni_file_fail(f, CN_ERROR_FORMAT);
-		return 0.0f;
+		word = 0;
 	}
-	memcpy(&x, &word, sizeof x);
-	return x;
+	memcpy(x, &word, sizeof word);
 }
 
 static void geometry_pass(cni_file *f, cni_geometry *g)
 {
 	float *vectors = (float *)(void *)(g + 1);
 	uint32_t k, count = geometry_words(g->type, (uint32_t)g->count) - 7u;
-	g->radius = float_pass(f, g->radius);
-	g->centroid.x = float_pass(f, g->centroid.x);
-	g->centroid.y = float_pass(f, g->centroid.y);
-	g->extent = float_pass(f, g->extent);
-	g->inner_radius = float_pass(f, g->inner_radius);
+	float_pass(f, &g->radius);
+	float_pass(f, &g->centroid.x);
+	float_pass(f, &g->centroid.y);
+	float_pass(f, &g->extent);
+	float_pass(f, &g->inner_radius);
 	for (k = 0; k < count; ++k)
-		vectors[k] = float_pass(f, vectors[k]);
-	if (g->radius < 0.0f || g->extent < 0.0f || g->inner_radius < 0.0f)
-		cni_file_fail(f, CN_ERROR_FORMAT);
+		float_pass(f, vectors + k);
 }
 
 static void geometry_read(cn_world *world, cni_file *f, cni_shape *s)
@@ -78,6 +78,8 @@ static void geometry_read(cn_world *world, cni_file *f, cni_shape *s)
 	g->count = (int32_t)count;
 	g->seams = seams;
 	geometry_pass(f, g);
+	if (g->radius < 0.0f || g->extent < 0.0f || g->inner_radius < 0.0f)
+		cni_file_fail(f, CN_ERROR_FORMAT);
 	s->box.proxy = CNI_NONE;
 	if (s->type == CN_SHAPE_CHAIN)
 		s->box.proxies = 0;
@@ -85,19 +87,10 @@ static void geometry_read(cn_world *world, cni_file *f, cni_shape *s)
 
 static void geometry_write(const cn_world *world, cni_file *f, const cni_shape *s)
 {
-	const cni_geometry *g = cni_shape_geometry(&world->blocks, s);
-	cni_geometry head = *g;
-	const float *vectors = (const float *)(const void *)(g + 1);
-	uint32_t k, count = geometry_words(g->type, (uint32_t)g->count) - 7u;
-	(void)cni_file_word(f, (uint32_t)head.count);
-	(void)cni_file_word(f, head.seams);
-	(void)float_pass(f, head.radius);
-	(void)float_pass(f, head.centroid.x);
-	(void)float_pass(f, head.centroid.y);
-	(void)float_pass(f, head.extent);
-	(void)float_pass(f, head.inner_radius);
-	for (k = 0; k < count; ++k)
-		(void)float_pass(f, vectors[k]);
+	cni_geometry *g = (cni_geometry *)cni_blocks_at(&world->blocks, s->geometry); /* which is only read */
+	(void)cni_file_word(f, (uint32_t)g->count);
+	(void)cni_file_word(f, g->seams);
+	geometry_pass(f, g);
 }
 
 static uint64_t geometries_words(const cn_world *world)

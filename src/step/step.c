@@ -20,7 +20,7 @@
 static void profile_mark(cn_world *world, float *field, uint64_t *mark)
 {
 	uint64_t now;
-	if (!(world->settings.flags & CN_WORLD_PROFILE))
+	if (!CNI_HAS_CLOCK || !(world->settings.flags & CN_WORLD_PROFILE))
 		return;
 	now = cni_clock_ns();
 	*field += (float)(now - *mark) * 1e-9f;

@@ -307,12 +307,5 @@ cn_result cn_body_get_shapes(const cn_world *world, cn_body body, cn_shape *out,
 
 cn_result cn_body_get_joints(const cn_world *world, cn_body body, cn_joint *out, int32_t capacity, int32_t *out_count)
 {
-	cni_call call = cni_enter_const(world);
-	const cni_body *b = cni_check_body(&call, "body", body);
-	cni_list list = cni_list_begin(&call, out, capacity, out_count);
-	if (call.result != CN_OK)
-		return call.result;
-	cni_list_joints_of(world, b, 0, &list);
-	*out_count = list.count;
-	return CN_OK;
+	return cni_list_joints_of(world, body, 0, out, capacity, out_count);
 }

@@ -4,18 +4,16 @@
  */
 #include "world/define.h"
 
-cn_result cn_body_get_mass_data(const cn_world *world, cn_body body, cn_mass_data *out)
+static cn_mass_data mass_of(const cni_body *b)
 {
-	cni_call call = cni_enter_const(world);
-	const cni_body *b = cni_check_body(&call, "body", body);
-	cni_check_pointer(&call, "out", out);
-	if (call.result != CN_OK)
-		return call.result;
-	out->mass_kg = b->mass;
-	out->inertia_kgm2 = b->inertia;
-	out->center_m = b->local_center;
-	return CN_OK;
+	cn_mass_data m;
+	m.mass_kg = b->mass;
+	m.inertia_kgm2 = b->inertia;
+	m.center_m = b->local_center;
+	return m;
 }
+
+CNI_DEFINE_GET(body, mass_data, cn_mass_data, mass_of(record))
 
 cn_result cn_body_set_mass_data(cn_world *world, cn_body body, const cn_mass_data *mass)
 {

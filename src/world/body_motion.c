@@ -43,12 +43,11 @@ cn_result cn_body_set_pose(cn_world *world, cn_body body, float position_x_m, fl
 {
 	cn_vec2 position_m = { position_x_m, position_y_m };
 	cni_call call = cni_enter(world, __func__);
-	const cni_body *b = cni_check_body(&call, "body", body);
 	int32_t index = cni_body_index(world, body);
+	cni_check_body(&call, "body", body);
 	cni_check_position(&call, "position_m", position_m);
 	cni_check_angle(&call, "angle_rad", angle_rad);
-	if (call.result == CN_OK)
-		cni_check_reserved(&call, cni_contact_reserve_end(world, b->contact_count), "events of its contacts");
+	cni_check_ends_of(&call, world, index);
 	if (call.result != CN_OK)
 		return call.result;
 	wake_contacts(world, index);

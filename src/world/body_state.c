@@ -15,8 +15,7 @@
 /* Reserves memory for the events of ending all contacts and for the islands that linking the joints again creates. */
 static void reserve_relink(cni_call *call, cn_world *world, int32_t body)
 {
-	if (call->result == CN_OK)
-		cni_check_reserved(call, cni_contact_reserve_end(world, cni_body_at(world, body)->contact_count), "events of its contacts");
+	cni_check_ends_of(call, world, body);
 	if (call->result == CN_OK && !cni_island_reserve(world, cni_joint_count(world, body)))
 		cni_refuse(call, CN_ERROR_MEMORY, "no memory for islands");
 }

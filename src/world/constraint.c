@@ -155,12 +155,5 @@ cn_result cn_world_get_constraints(const cn_world *world, cn_constraint *out, in
 
 cn_result cn_body_get_constraints(const cn_world *world, cn_body body, cn_constraint *out, int32_t capacity, int32_t *out_count)
 {
-	cni_call call = cni_enter_const(world);
-	const cni_body *b = cni_check_body(&call, "body", body);
-	cni_list list = cni_list_begin(&call, out, capacity, out_count);
-	if (call.result != CN_OK)
-		return call.result;
-	cni_list_joints_of(world, b, 1, &list);
-	*out_count = list.count;
-	return CN_OK;
+	return cni_list_joints_of(world, body, 1, out, capacity, out_count);
 }

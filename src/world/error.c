@@ -307,6 +307,12 @@ void cni_check_reserved(cni_call *call, cn_result result, const char *things)
 		refuse(call, result, "%s%s", result == CN_ERROR_CAPACITY ? "too many " : "no memory for ", things);
 }
 
+void cni_check_ends_of(cni_call *call, cn_world *world, int32_t body)
+{
+	if (call->result == CN_OK && body != CNI_NONE)
+		cni_check_reserved(call, cni_contact_reserve_end(world, cni_body_at(world, body)->contact_count), "events of its contacts");
+}
+
 /* ------------------------------------------------------------------ checks of pointers and sizes */
 
 void cni_check_pointer(cni_call *call, const char *field, const void *pointer)

@@ -80,6 +80,9 @@ void cni_refuse_near(cni_call *call, const cn_vec2 *points, int32_t count, int32
 /* Records the result of a reserve function of model/: CN_OK, CN_ERROR_MEMORY or CN_ERROR_CAPACITY. */
 void cni_check_reserved(cni_call *call, cn_result result, const char *things);
 
+/* Reserves memory for the events of ending all contacts of a body (CNI_NONE: none), unless the call has failed. */
+void cni_check_ends_of(cni_call *call, cn_world *world, int32_t body);
+
 void cni_check_pointer(cni_call *call, const char *field, const void *pointer);
 /* count >= 0; array not NULL unless count is 0. */
 void cni_check_array(cni_call *call, const char *field, const void *array, int32_t count);

@@ -152,12 +152,19 @@ CNI_DEFINE_GET(joint, speed, float, cni_joint_speed(world, record))
 
 /* ------------------------------------------------------------------ lists and events */
 
-void cni_list_joints_of(const cn_world *world, const cni_body *b, int32_t constraint, cni_list *list)
+cn_result cni_list_joints_of(const cn_world *world, cn_body body, int32_t constraint, uint32_t *out, int32_t capacity, int32_t *out_count)
 {
+	cni_call call = cni_enter_const(world);
+	const cni_body *b = cni_check_body(&call, "body", body);
+	cni_list list = cni_list_begin(&call, out, capacity, out_count);
 	int32_t key;
+	if (call.result != CN_OK)
+		return call.result;
 	for (key = b->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1])
 		if (cni_joint_is_constraint(cni_joint_at(world, key >> 1)->type) == constraint)
-			cni_list_add(list, cni_joint_handle(world, key >> 1));
+			cni_list_add(&list, cni_joint_handle(world, key >> 1));
+	*out_count = list.count;
+	return CN_OK;
 }
 
 cn_result cni_list_joints(const cn_world *world, int32_t constraint, uint32_t *out, int32_t capacity, int32_t *out_count)

@@ -50,7 +50,7 @@ void cni_joint_change_flags(cn_world *world, int32_t joint, uint32_t flags);
 void cni_joint_wake_bodies(cn_world *world, const cni_joint *j);
 
 /* Joints (constraint 0) or constraints (1) of a body, and of the world. */
-void cni_list_joints_of(const cn_world *world, const cni_body *b, int32_t constraint, cni_list *list);
+cn_result cni_list_joints_of(const cn_world *world, cn_body body, int32_t constraint, uint32_t *out, int32_t capacity, int32_t *out_count);
 cn_result cni_list_joints(const cn_world *world, int32_t constraint, uint32_t *out, int32_t capacity, int32_t *out_count);
 
 #endif

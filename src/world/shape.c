@@ -41,19 +41,13 @@ static void shape_leave_body(cn_world *world, int32_t shape)
 		cni_body_shapes_changed(world, body, CNI_NONE);
 }
 
-static void reserve_leave(cni_call *call, cn_world *world, const cni_shape *s)
-{
-	if (call->result == CN_OK && s->body != CNI_NONE)
-		cni_check_reserved(call, cni_contact_reserve_end(world, cni_body_at(world, s->body)->contact_count), "events of its contacts");
-}
-
 cn_result cn_shape_detach(cn_world *world, cn_shape shape)
 {
 	cni_call call = cni_enter(world, __func__);
 	const cni_shape *s = cni_check_shape(&call, "shape", shape);
 	if (call.result == CN_OK && s->body == CNI_NONE)
 		cni_refuse(&call, CN_ERROR_STATE, "the shape is not attached");
-	reserve_leave(&call, world, s);
+	cni_check_ends_of(&call, world, s != NULL ? s->body : CNI_NONE);
 	if (call.result == CN_OK)
 		shape_leave_body(world, cni_shape_index(world, shape));
 	return call.result;
@@ -63,7 +57,7 @@ cn_result cn_shape_destroy(cn_world *world, cn_shape shape)
 {
 	cni_call call = cni_enter(world, __func__);
 	const cni_shape *s = cni_check_shape(&call, "shape", shape);
-	reserve_leave(&call, world, s);
+	cni_check_ends_of(&call, world, s != NULL ? s->body : CNI_NONE);
 	if (call.result != CN_OK)
 		return call.result;
 	if (s->body != CNI_NONE)
@@ -170,7 +164,7 @@ cn_result cn_shape_set_filter(cn_world *world, cn_shape shape, const cn_filter *
 	cni_call call = cni_enter(world, __func__);
 	cni_shape *s = cni_check_shape(&call, "shape", shape);
 	cni_check_pointer(&call, "filter", filter);
-	reserve_leave(&call, world, s);
+	cni_check_ends_of(&call, world, s != NULL ? s->body : CNI_NONE);
 	if (call.result != CN_OK)
 		return call.result;
 	s->category = filter->category;
@@ -182,19 +176,17 @@ cn_result cn_shape_set_filter(cn_world *world, cn_shape shape, const cn_filter *
 	return CN_OK;
 }
 
-cn_result cn_shape_get_filter(const cn_world *world, cn_shape shape, cn_filter *out)
+static cn_filter filter_of(const cni_shape *s)
 {
-	cni_call call = cni_enter_const(world);
-	const cni_shape *s = cni_check_shape(&call, "shape", shape);
-	cni_check_pointer(&call, "out", out);
-	if (call.result != CN_OK)
-		return call.result;
-	out->category = s->category;
-	out->mask = s->mask;
-	out->group = s->group;
-	out->reserved = 0;
-	return CN_OK;
+	cn_filter f;
+	f.category = s->category;
+	f.mask = s->mask;
+	f.group = s->group;
+	f.reserved = 0;
+	return f;
 }
+
+CNI_DEFINE_GET(shape, filter, cn_filter, filter_of(record))
 
 /* A contact reports the events that either of its shapes requests. */
 static void contact_refresh_mask(cn_world *world, int32_t contact)
@@ -211,7 +203,7 @@ cn_result cn_shape_set_event_mask(cn_world *world, cn_shape shape, uint32_t even
 	cni_shape *s = cni_check_shape(&call, "shape", shape);
 	int32_t index = cni_shape_index(world, shape), key;
 	cni_check_flags(&call, "event_mask", event_mask, CNI_EVENT_MASK);
-	reserve_leave(&call, world, s);
+	cni_check_ends_of(&call, world, s != NULL ? s->body : CNI_NONE);
 	if (call.result != CN_OK)
 		return call.result;
 	s->event_mask = (uint8_t)event_mask;
@@ -228,8 +220,7 @@ cn_result cn_shape_set_flags(cn_world *world, cn_shape shape, uint32_t flags)
 	cni_shape *s = cni_check_shape(&call, "shape", shape);
 	int32_t index = cni_shape_index(world, shape);
 	cni_check_flags(&call, "flags", flags, CNI_SHAPE_FLAGS);
-	if (call.result == CN_OK && s->body != CNI_NONE)
-		cni_check_reserved(&call, cni_contact_reserve_end(world, cni_body_at(world, s->body)->contact_count), "the events of ending contacts");
+	cni_check_ends_of(&call, world, s != NULL ? s->body : CNI_NONE);
 	if (call.result != CN_OK)
 		return call.result;
 	if (s->body != CNI_NONE)

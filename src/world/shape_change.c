@@ -57,12 +57,6 @@ static void check_change(cni_call *call, cn_shape shape, const cni_shape_source 
 		cni_refuse(call, CN_ERROR_STATE, "the shape is of another type");
 }
 
-static void reserve_ends(cni_call *call, cn_world *world, const cni_shape *s)
-{
-	if (call->result == CN_OK && s->body != CNI_NONE)
-		cni_check_reserved(call, cni_contact_reserve_end(world, cni_body_at(world, s->body)->contact_count), "events of its contacts");
-}
-
 /* A new piece where its size differs; else 0, and the old piece takes the new form. */
 static cni_ref piece_reserve(cni_call *call, cn_world *world, const cni_shape *s, int32_t count)
 {
@@ -89,7 +83,7 @@ static cn_result single_change(cni_call *call, cn_world *world, cn_shape shape, 
 	s = cni_shape_at(world, index);
 	cni_source_build(&fresh.head, &from, identity);
 	cni_check_shape_mass(call, cni_geometry_mass(&fresh.head, s->density));
-	reserve_ends(call, world, s);
+	cni_check_ends_of(call, world, s->body);
 	ref = piece_reserve(call, world, s, from.count);
 	if (call->result != CN_OK)
 		return call->result;
@@ -116,7 +110,7 @@ static cn_result chain_change(cni_call *call, cn_world *world, cn_shape shape, c
 		return call->result;
 	s = cni_shape_at(world, index);
 	bytes = cni_shape_piece_bytes(world, CN_SHAPE_CHAIN, from.count);
-	reserve_ends(call, world, s);
+	cni_check_ends_of(call, world, s->body);
 	if (call->result != CN_OK)
 		return call->result;
 	ref = cni_blocks_alloc(&world->blocks, bytes);
@@ -133,37 +127,16 @@ static cn_result chain_change(cni_call *call, cn_world *world, cn_shape shape, c
 	return call->result;
 }
 
-cn_result cn_shape_set_circle(cn_world *world, cn_shape shape, const cn_circle *circle)
-{
-	cni_call call = cni_enter(world, __func__);
-	cni_shape_source from = cni_source_circle(&call, world, circle);
-	return single_change(&call, world, shape, from);
-}
+/* Defines cn_shape_set_<name>. */
+#define DEFINE_CHANGE(name, change) \
+	cn_result cn_shape_set_##name(cn_world *world, cn_shape shape, const cn_##name *name) \
+	{ \
+		cni_call call = cni_enter(world, __func__); \
+		return change(&call, world, shape, cni_source_##name(&call, world, name)); \
+	}
 
-cn_result cn_shape_set_capsule(cn_world *world, cn_shape shape, const cn_capsule *capsule)
-{
-	cni_call call = cni_enter(world, __func__);
-	cni_shape_source from = cni_source_capsule(&call, world, capsule);
-	return single_change(&call, world, shape, from);
-}
-
-cn_result cn_shape_set_edge(cn_world *world, cn_shape shape, const cn_edge *edge)
-{
-	cni_call call = cni_enter(world, __func__);
-	cni_shape_source from = cni_source_edge(&call, world, edge);
-	return single_change(&call, world, shape, from);
-}
-
-cn_result cn_shape_set_polygon(cn_world *world, cn_shape shape, const cn_polygon *polygon)
-{
-	cni_call call = cni_enter(world, __func__);
-	cni_shape_source from = cni_source_polygon(&call, world, polygon);
-	return single_change(&call, world, shape, from);
-}
-
-cn_result cn_shape_set_chain(cn_world *world, cn_shape shape, const cn_chain *chain)
-{
-	cni_call call = cni_enter(world, __func__);
-	cni_shape_source from = cni_source_chain(&call, world, chain);
-	return chain_change(&call, world, shape, from);
-}
+DEFINE_CHANGE(circle, single_change)
+DEFINE_CHANGE(capsule, single_change)
+DEFINE_CHANGE(edge, single_change)
+DEFINE_CHANGE(polygon, single_change)
+DEFINE_CHANGE(chain, chain_change)

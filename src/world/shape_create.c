@@ -119,33 +119,19 @@ static cn_result shape_create(cni_call *call, cn_world *world, const cn_shape_de
 
 /* ------------------------------------------------------------------ one function per type */
 
-cn_result cn_shape_create_circle(cn_world *world, const cn_shape_def *def, const cn_circle *circle, cn_shape *out_shape)
-{
-	cni_call call = cni_enter(world, __func__);
-	cni_shape_source from = cni_source_circle(&call, world, circle);
-	return shape_create(&call, world, def, from, out_shape);
-}
+/* Defines cn_shape_create_<name>. */
+#define DEFINE_CREATE(name) \
+	cn_result cn_shape_create_##name(cn_world *world, const cn_shape_def *def, const cn_##name *name, cn_shape *out_shape) \
+	{ \
+		cni_call call = cni_enter(world, __func__); \
+		return shape_create(&call, world, def, cni_source_##name(&call, world, name), out_shape); \
+	}
 
-cn_result cn_shape_create_capsule(cn_world *world, const cn_shape_def *def, const cn_capsule *capsule, cn_shape *out_shape)
-{
-	cni_call call = cni_enter(world, __func__);
-	cni_shape_source from = cni_source_capsule(&call, world, capsule);
-	return shape_create(&call, world, def, from, out_shape);
-}
-
-cn_result cn_shape_create_edge(cn_world *world, const cn_shape_def *def, const cn_edge *edge, cn_shape *out_shape)
-{
-	cni_call call = cni_enter(world, __func__);
-	cni_shape_source from = cni_source_edge(&call, world, edge);
-	return shape_create(&call, world, def, from, out_shape);
-}
-
-cn_result cn_shape_create_polygon(cn_world *world, const cn_shape_def *def, const cn_polygon *polygon, cn_shape *out_shape)
-{
-	cni_call call = cni_enter(world, __func__);
-	cni_shape_source from = cni_source_polygon(&call, world, polygon);
-	return shape_create(&call, world, def, from, out_shape);
-}
+DEFINE_CREATE(circle)
+DEFINE_CREATE(capsule)
+DEFINE_CREATE(edge)
+DEFINE_CREATE(polygon)
+DEFINE_CREATE(chain)
 
 cn_result cn_shape_create_box(cn_world *world, const cn_shape_def *def, float half_width_m, float half_height_m, float radius_m, cn_shape *out_shape)
 {
@@ -164,11 +150,4 @@ cn_result cn_shape_create_box(cn_world *world, const cn_shape_def *def, float ha
 	box.points_m[2] = cni_v(half_width_m, half_height_m);
 	box.points_m[3] = cni_v(-half_width_m, half_height_m);
 	return shape_create(&call, world, def, cni_source_polygon(&call, world, &box), out_shape);
-}
-
-cn_result cn_shape_create_chain(cn_world *world, const cn_shape_def *def, const cn_chain *chain, cn_shape *out_shape)
-{
-	cni_call call = cni_enter(world, __func__);
-	cni_shape_source from = cni_source_chain(&call, world, chain);
-	return shape_create(&call, world, def, from, out_shape);
 }

@@ -2,7 +2,10 @@
  * world/validate.c - checks every invariant between the tables, reading only.
  *
  * The report has the name of the first failed check and the index it failed at. Tests call this after every
- * failed allocation and every refused argument.
+ * failed allocation and every refused argument, and worlds from files pass it (save/file_check.c says what was checked before).
+ *
+ * Doubly linked lists are followed with the links back: a node has one predecessor, so a walk cannot come into a circle. What is in
+ * several lists of one kind, or in none, shows in the sum of their lengths.
  */
 #include "world/error.h"
 
@@ -12,6 +15,7 @@ typedef struct report {
 	const cn_world *world;
 	const char *what;   /* name of the failed check, NULL for none */
 	int32_t index;
+	int32_t shapes, contact_ends, joint_ends, members; /* lengths of all lists of bodies; bodies with an island */
 } report;
 
 static void expect(report *r, int32_t good, const char *what, int32_t index)
@@ -59,10 +63,12 @@ static void check_shapes_of(report *r, int32_t body)
 {
 	const cn_world *world = r->world;
 	const cni_body *b = cni_body_at(world, body);
-	int32_t shape, child;
-	for (shape = b->shape_first; shape != CNI_NONE && r->what == NULL; shape = cni_shape_at(world, shape)->next) {
+	int32_t shape, child, before = CNI_NONE;
+	for (shape = b->shape_first; shape != CNI_NONE && r->what == NULL; before = shape, shape = cni_shape_at(world, shape)->next) {
 		const cni_shape *s = cni_shape_at(world, shape);
 		expect(r, cni_handles_alive(&world->shape_handles, shape) && s->body == body, "shape list of body", body);
+		expect(r, before == CNI_NONE || (s->prev == before && shape != b->shape_first), "shape list of body", body);
+		++r->shapes;
 		for (child = 0; child < cni_shape_children(&world->blocks, s) && r->what == NULL; ++child) {
 			int32_t proxy = cni_shape_proxy(world, s, child);
 			expect(r, (proxy != CNI_NONE) == ((b->flags & CN_BODY_ENABLED) != 0), "shape is placed exactly when enabled, shape", shape);
@@ -73,18 +79,22 @@ static void check_shapes_of(report *r, int32_t body)
 			check_room(r, b, s, child, proxy);
 		}
 	}
+	if (before != CNI_NONE)
+		expect(r, cni_shape_at(world, b->shape_first)->prev == before, "last shape of body", body);
 }
 
 static void check_contacts_of(report *r, int32_t body)
 {
 	const cn_world *world = r->world;
 	const cni_body *b = cni_body_at(world, body);
-	int32_t key, count = 0, lanes = 0, in_front = 1;
+	int32_t key, count = 0, lanes = 0, in_front = 1, before = CNI_NONE, is_static;
 	uint32_t colors = 0;
-	for (key = b->contact_first; key != CNI_NONE && r->what == NULL; key = cni_contact_of_key(world, key)->next[key & 1]) {
+	for (key = b->contact_first; key != CNI_NONE; before = key, key = cni_contact_of_key(world, key)->next[key & 1]) {
 		const cni_contact *c = cni_contact_of_key(world, key);
-		int32_t is_static = cni_body_at(world, c->body[0])->type == CN_BODY_STATIC || cni_body_at(world, c->body[1])->type == CN_BODY_STATIC;
-		expect(r, c->body[key & 1] == body, "contact list of body", body);
+		expect(r, c->body[0] != CNI_NONE && c->body[key & 1] == body && c->prev[key & 1] == before, "contact list of body", body);
+		if (r->what != NULL)
+			return;
+		is_static = cni_body_at(world, c->body[0])->type == CN_BODY_STATIC || cni_body_at(world, c->body[1])->type == CN_BODY_STATIC;
 		expect(r, ((c->flags & CNI_CONTACT_STATIC) != 0) == is_static, "static flag of contact", key >> 1);
 		expect(r, !is_static || in_front || (b->flags & CNI_BODY_MIXED), "order of contacts of body", body);
 		in_front = is_static;
@@ -98,6 +108,7 @@ static void check_contacts_of(report *r, int32_t body)
 			colors |= bit;
 		}
 	}
+	r->contact_ends += count;
 	expect(r, count == b->contact_count, "contact count of body", body);
 	expect(r, lanes == b->lanes, "lane count of body", body);
 	expect(r, colors == b->colors, "colours of body", body);
@@ -106,9 +117,22 @@ static void check_contacts_of(report *r, int32_t body)
 static void check_joints_of(report *r, int32_t body)
 {
 	const cn_world *world = r->world;
-	int32_t key;
-	for (key = cni_body_at(world, body)->joint_first; key != CNI_NONE && r->what == NULL; key = cni_joint_at(world, key >> 1)->next[key & 1])
-		expect(r, cni_handles_alive(&world->joint_handles, key >> 1) && cni_joint_at(world, key >> 1)->body[key & 1] == body, "joint list of body", body);
+	int32_t key, before = CNI_NONE;
+	for (key = cni_body_at(world, body)->joint_first; key != CNI_NONE && r->what == NULL; before = key, key = cni_joint_at(world, key >> 1)->next[key & 1]) {
+		const cni_joint *j = cni_joint_at(world, key >> 1);
+		expect(r, cni_handles_alive(&world->joint_handles, key >> 1) && j->body[key & 1] == body && j->prev[key & 1] == before, "joint list of body", body);
+		++r->joint_ends;
+	}
+}
+
+/* The narrowphase reads velocities of either. */
+static void check_motion(report *r, const cni_body *b, int32_t body)
+{
+	const cn_world *world = r->world;
+	const cni_motion *m = cni_motions(world) + b->awake;
+	expect(r, cni_is_finite(m->vx) && cni_is_finite(m->vy) && cni_is_finite(m->w), "finite velocity of body", body);
+	expect(r, b->vx == m->vx && b->vy == m->vy && b->w == m->w, "velocity in the record of body", body);
+	expect(r, m->dpx == 0.0f && m->dpy == 0.0f && m->theta == 0.0f, "no change left over, body", body);
 }
 
 static void check_body(report *r, int32_t body)
@@ -118,15 +142,15 @@ static void check_body(report *r, int32_t body)
 	expect(r, cni_is_finite(b->cx) && cni_is_finite(b->cy) && cni_is_finite(b->q.c) && cni_is_finite(b->q.s), "finite pose of body", body);
 	expect(r, !(b->flags & CNI_BODY_MARK), "scratch mark of body", body);
 	if (b->awake != 0) {
-		const cni_motion *m;
 		expect(r, b->awake > 0 && b->awake < world->awake_count && cni_awake_ids(world)[b->awake] == body, "dense index of body", body);
 		expect(r, b->type != CN_BODY_STATIC && (b->flags & CN_BODY_ENABLED), "awake body may move, body", body);
 		if (r->what != NULL)
 			return;
-		m = cni_motions(world) + b->awake;
-		expect(r, cni_is_finite(m->vx) && cni_is_finite(m->vy) && cni_is_finite(m->w), "finite velocity of body", body);
-		expect(r, m->dpx == 0.0f && m->dpy == 0.0f && m->theta == 0.0f, "no change left over, body", body);
+		check_motion(r, b, body);
+	} else {
+		expect(r, !(b->flags & CN_BODY_ENABLED) || (b->vx == 0.0f && b->vy == 0.0f && b->w == 0.0f), "still body that is not awake, body", body);
 	}
+	r->members += b->island != CNI_NONE;
 	if (b->island != CNI_NONE) {
 		expect(r, b->type == CN_BODY_DYNAMIC, "only dynamic bodies have islands, body", body);
 		expect(r, (b->awake != 0) == (cni_island_at(world, b->island)->awake != 0), "island sleeps as one, body", body);
@@ -208,6 +232,7 @@ static void check_contacts(report *r)
 		touching += (c->flags & CNI_CONTACT_TOUCHING) != 0;
 	}
 	expect(r, count == world->contact_count, "count of contacts", count);
+	expect(r, 2 * count == r->contact_ends, "contacts in lists of bodies", r->contact_ends);
 	expect(r, touching == world->touching_count, "count of touching contacts", touching);
 	for (k = 0; k < CNI_COLOR_LISTS; ++k)
 		lanes += world->colors[k].lanes;
@@ -219,37 +244,67 @@ static void check_contacts(report *r)
 static void check_islands(report *r)
 {
 	const cn_world *world = r->world;
-	int32_t k, body, islands = 0;
+	int32_t k, body, islands = 0, members = 0;
 	for (k = 0; k < world->island_used && r->what == NULL; ++k) {
 		const cni_island *i = cni_island_at(world, k);
-		int32_t count = 0;
+		int32_t count = 0, before = CNI_NONE;
 		if (i->first == CNI_NONE)
 			continue;
 		++islands;
-		for (body = i->first; body != CNI_NONE && r->what == NULL; body = cni_body_at(world, body)->island_next) {
-			expect(r, body_alive(world, body) && cni_body_at(world, body)->island == k, "body list of island", k);
+		for (body = i->first; body != CNI_NONE && r->what == NULL; before = body, body = cni_body_at(world, body)->island_next) {
+			expect(r, body_alive(world, body) && cni_body_at(world, body)->island == k && cni_body_at(world, body)->island_prev == before, "body list of island", k);
 			++count;
 		}
-		expect(r, count == i->count && count >= 2, "size of island", k);
+		expect(r, count == i->count && count >= 2 && i->last == before, "size of island", k);
+		members += count;
 	}
 	expect(r, islands == world->island_count, "count of islands", islands);
+	expect(r, members == r->members, "bodies in lists of islands", members);
+}
+
+static int32_t is_dynamic(const cn_world *world, int32_t body) { return body != CNI_NONE && cni_body_at(world, body)->type == CN_BODY_DYNAMIC; }
+
+static void check_joint(report *r, int32_t joint)
+{
+	const cn_world *world = r->world;
+	const cni_joint *j = cni_joint_at(world, joint);
+	int32_t a = j->body[0], b = j->body[1], is_constraint = cni_joint_is_constraint(j->type);
+	expect(r, (a == CNI_NONE || body_alive(world, a)) && (b == CNI_NONE || body_alive(world, b)) && a != b && (!is_constraint || a == CNI_NONE), "bodies of joint", joint);
+	if (r->what != NULL)
+		return;
+	expect(r, j->linked == (cni_joint_is_enabled(world, j) && j->type != CN_JOINT_FILTER && is_dynamic(world, a) && is_dynamic(world, b)), "link of joint", joint);
+	if (j->linked)
+		expect(r, cni_body_at(world, a)->island != CNI_NONE && cni_body_at(world, a)->island == cni_body_at(world, b)->island, "one island for joint", joint);
+	expect(r, j->awake == CNI_NONE || (j->awake < world->awake_joints.count && ((const int32_t *)world->awake_joints.data)[j->awake] == joint), "awake list of joint", joint);
 }
 
 static void check_joints(report *r)
 {
 	const cn_world *world = r->world;
-	int32_t k, used = cni_handles_used(&world->joint_handles), constraints = 0;
+	int32_t k, used = cni_handles_used(&world->joint_handles), constraints = 0, ends = 0;
 	for (k = 0; k < used && r->what == NULL; ++k) {
 		const cni_joint *j = cni_joint_at(world, k);
 		if (!cni_handles_alive(&world->joint_handles, k))
 			continue;
 		constraints += cni_joint_is_constraint(j->type);
-		if (j->linked)
-			expect(r, cni_body_at(world, j->body[0])->island == cni_body_at(world, j->body[1])->island, "one island for joint", k);
-		if (j->awake != CNI_NONE)
-			expect(r, ((const int32_t *)world->awake_joints.data)[j->awake] == k, "awake list of joint", k);
+		ends += (j->body[0] != CNI_NONE) + (j->body[1] != CNI_NONE);
+		check_joint(r, k);
 	}
 	expect(r, constraints == world->constraint_count, "count of constraints", constraints);
+	expect(r, ends == r->joint_ends, "joints in lists of bodies", ends);
+	for (k = 0; k < world->awake_joints.count && r->what == NULL; ++k) {
+		int32_t joint = ((const int32_t *)world->awake_joints.data)[k];
+		expect(r, cni_handles_alive(&world->joint_handles, joint) && cni_joint_at(world, joint)->awake == k && cni_joint_at(world, joint)->type != CN_JOINT_FILTER, "list of awake joints at", k);
+	}
+}
+
+static void check_shapes(report *r)
+{
+	const cn_world *world = r->world;
+	int32_t k, used = cni_handles_used(&world->shape_handles), attached = 0;
+	for (k = 0; k < used; ++k)
+		attached += cni_handles_alive(&world->shape_handles, k) && cni_shape_at(world, k)->body != CNI_NONE;
+	expect(r, attached == r->shapes, "shapes in lists of bodies", attached);
 }
 
 static void check_areas(report *r)
@@ -269,10 +324,10 @@ cn_result cn_world_validate(const cn_world *world, char *text, int32_t text_byte
 	cni_check_capacity(&call, "text", text, text_bytes);
 	if (call.result != CN_OK)
 		return call.result;
+	memset(&r, 0, sizeof r);
 	r.world = world;
-	r.what = NULL;
-	r.index = 0;
 	check_bodies(&r);
+	check_shapes(&r);
 	check_contacts(&r);
 	check_islands(&r);
 	check_joints(&r);

@@ -98,6 +98,8 @@ static void bodies_are_checked(void)
 	BREAK(uint32_t, b->flags, b->flags & ~(uint32_t)CN_BODY_ENABLED, "awake body may move");
 	BREAK(float, m->vx, NAN, "finite velocity");
 	BREAK(float, m->w, INFINITY, "finite velocity");
+	BREAK(float, b->vx, b->vx + 1.0f, "velocity in the record");
+	BREAK(float, asleep->vy, 1.0f, "still body");
 	BREAK(float, m->dpy, 1.0f, "no change left over");
 	BREAK(float, m->theta, 1.0f, "no change left over");
 	BREAK(int32_t, cni_awake_ids(world)[b->awake], resting, "dense index");
@@ -111,6 +113,9 @@ static void bodies_are_checked(void)
 	BREAK(int32_t, b->contact_first, CNI_NONE, "contact count of body");
 	BREAK(int32_t, asleep->contact_first, b->contact_first, "contact list of body");
 	BREAK(int32_t, asleep->shape_first, b->shape_first, "shape list of body");
+	BREAK(int32_t, asleep->shape_first, CNI_NONE, "shapes in lists");
+	BREAK(int32_t, cni_shape_at(world, b->shape_first)->prev, CNI_NONE, "last shape");
+	BREAK(int32_t, cni_contact_of_key(world, b->contact_first)->prev[b->contact_first & 1], b->contact_first, "contact list of body");
 	while (cni_body_at(world, joined)->joint_first == CNI_NONE)
 		++joined;
 	BREAK(int32_t, asleep->joint_first, cni_body_at(world, joined)->joint_first, "joint list of body");
@@ -152,6 +157,7 @@ static void islands_and_joints_are_checked(void)
 	island = cni_island_at(world, k);
 	OFF_BY_ONE(world->island_count, "count of islands");
 	OFF_BY_ONE(island->count, "size of island");
+	BREAK(int32_t, island->last, island->first, "size of island");
 	BREAK(int32_t, island->awake, island->awake == 0 ? 1 : 0, "island sleeps as one");
 	BREAK(int32_t, cni_body_at(world, island->first)->island, CNI_NONE, "island");
 	for (k = 0; !cni_joint_at(world, k)->linked; ++k)
@@ -159,6 +165,7 @@ static void islands_and_joints_are_checked(void)
 	joint = cni_joint_at(world, k);
 	OFF_BY_ONE(world->constraint_count, "count of constraints");
 	BREAK(int32_t, ((int32_t *)world->awake_joints.data)[joint->awake], k + 1, "awake list of joint");
+	BREAK(int32_t, joint->linked, !joint->linked, "link of joint");
 	CHECK(fixture_is_valid(world));
 	cn_world_destroy(world);
 }
