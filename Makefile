@@ -340,6 +340,20 @@ families: $(BUILD)/bin/families
 		$(if $(FAMILY),--family $(FAMILY)) $(if $(SOLVERS),--solvers $(SOLVERS)) $(if $(SUBSTEPS),--substeps $(SUBSTEPS)) \
 		$(if $(NOISE),--noise $(NOISE)) $(if $(MONOTONE),--monotone $(MONOTONE))
 
+# Times of a step with 1 to 64 workers by a simulated schedule, and what stays serial: test/schedule/main.c. SCENE='smash rain': those.
+SCHEDULE_OBJ := $(patsubst %.c,$(BUILD)/release/%.o,$(sort $(wildcard test/schedule/*.c)))
+$(SCHEDULE_OBJ): $(BUILD)/release/%.o: %.c $(BUILD)/release/flags
+	@mkdir -p $(@D)
+	$(call say,cc)$(CC) $(STRICT) $(MODE) -Iinclude -Isrc -Iexamples $(CPPFLAGS) $(CFLAGS) -c $< -o $@
+$(BUILD)/bin/schedule: $(SCHEDULE_OBJ) $(EXAMPLE_OBJ) $(LIB_OBJ)
+	@mkdir -p $(@D)
+	$(call say,link)$(CC) $(CFLAGS) $(LDFLAGS) $(filter-out %/base/threads.o %/base/clock.o,$^) $(LIBS) -o $@
+-include $(SCHEDULE_OBJ:.o=.d)
+
+.PHONY: schedule
+schedule: $(BUILD)/bin/schedule
+	@$(BUILD)/bin/schedule $(SCENE)
+
 # Error against cost, drawn: test/stability/chart/README.md. PEERS=1: other engines run the same scenes; ROUNDS=3.
 .PHONY: chart
 chart: $(BUILD)/bin/stability
