@@ -218,14 +218,6 @@ static cni_vec2 centers_apart(const cn_world *world, const cni_touch_pair *p, cn
 	return cni_add(centers, cni_mul(least, cni_sub(place_of_body(p->contact->body[1]), place_of_body(p->contact->body[0]))));
 }
 
-/* Do the circles around the two bodies stay out of the contact margin? Fat boxes are much larger than small bodies, so most pairs that do
-   not touch end here, before their shapes are read. */
-static int32_t bodies_apart(const cn_world *world, const cni_body *a, const cni_body *b, cni_vec2 centers, float dt)
-{
-	cni_vec2 travel = cni_v(dt * b->vx - dt * a->vx, dt * b->vy - dt * a->vy);
-	return cni_circles_apart(centers, travel, CNI_CIRCLES_APART * (a->extent + b->extent + world->settings.contact_margin));
-}
-
 int32_t cni_touch_begin(const cn_world *world, const cni_touch_pair *p, float dt, cni_touch *out)
 {
 	const cni_body *a = p->body[0], *b = p->body[1];
@@ -236,9 +228,9 @@ int32_t cni_touch_begin(const cn_world *world, const cni_touch_pair *p, float dt
 	CNI_ASSERT(dt == 0.0f || (record_is_of_motion(world, a) && record_is_of_motion(world, b)));
 	out->boxes_overlap = cni_aabb_overlap(&p->proxy[0]->fat, &p->proxy[1]->fat);
 	out->manifold.count = 0;
-	centers = centers_apart(world, p, cni_body_a_to_b(a, b));
-	if (!out->boxes_overlap || bodies_apart(world, a, b, centers, dt))
+	if (!out->boxes_overlap)
 		return 0;
+	centers = centers_apart(world, p, cni_body_a_to_b(a, b));
 	out->motion = motion_make(a, b, dt);
 	out->in.a = cni_proxy_geometry(&world->blocks, p->proxy[0]);
 	out->in.b = cni_proxy_geometry(&world->blocks, p->proxy[1]);

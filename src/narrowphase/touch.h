@@ -53,19 +53,7 @@ static inline cni_touch_pair cni_touch_pair_of(const cn_world *world, cni_contac
 	return p;
 }
 
-/*
- * Do two circles stay apart while one moves by travel past the other? between: from centre to centre. A body that turns stays in the
- * circle around its centre of mass. The least distance is that of the nearest point of a segment (Ericson, "Real-Time Collision
- * Detection", 2005, 5.1.2).
- */
-static inline int32_t cni_circles_apart(cni_vec2 between, cni_vec2 travel, float radii)
-{
-	float part = -cni_dot(between, travel) / cni_max(cni_length_sq(travel), FLT_MIN);
-	part = cni_min(cni_max(part, 0.0f), 1.0f);
-	return cni_length_sq(cni_madd(between, part, travel)) > radii * radii;
-}
-
-/* Returns 0 where the manifold is empty: the bodies or their fat boxes are apart. A pair whose boxes are apart ends even if it moves
+/* Returns 0 where the manifold is empty: the fat boxes are apart. A pair whose boxes are apart ends even if it moves
    fast, or the broadphase would find it twice. */
 int32_t cni_touch_begin(const cn_world *world, const cni_touch_pair *p, float dt, cni_touch *out);
 void cni_touch_collide(cni_touch *out);
