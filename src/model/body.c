@@ -281,7 +281,7 @@ static int32_t box_leaves(const cn_world *world, const cni_body *b, const cni_sh
 
 static int32_t covers_ahead(int32_t what) { return what == BOX_LEAVES_AHEAD || what == BOX_STAYS_AHEAD; }
 
-int32_t cni_body_boxes_set(const cn_world *world, cni_body *b, cni_vec2 ahead)
+int32_t cni_body_boxes_set(const cn_world *world, cni_body *b, cni_vec2 ahead, cn_world *tell)
 {
 	cni_transform x = cni_body_transform(b);
 	float room = FLT_MAX, one;
@@ -299,6 +299,8 @@ int32_t cni_body_boxes_set(const cn_world *world, cni_body *b, cni_vec2 ahead)
 				continue;
 			set = set == CNI_BOXES_NONE ? proxy : CNI_BOXES_SEVERAL;
 			cni_proxy_set_fat(cni_proxy_at(world, proxy), &fat);
+			if (tell != NULL)
+				tell->broadphase_ops->move(tell->broadphase, proxy);
 		}
 	}
 	b->flags = reaches ? b->flags | CNI_BODY_AHEAD : b->flags & ~(uint32_t)CNI_BODY_AHEAD;

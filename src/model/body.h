@@ -217,15 +217,10 @@ static inline int32_t cni_body_has_room(const cni_body *b, cni_vec2 ahead)
 	return cni_body_room(b) > cni_max(cni_abs(ahead.x), cni_abs(ahead.y));
 }
 enum { CNI_BOXES_NONE = -1, CNI_BOXES_SEVERAL = -2 };
-/* Sets the boxes that do not contain the body's shapes now and after ahead (metres). Returns the proxy with a new box, or CNI_BOXES_. Writes
-   the body and its proxies only; the broadphase has to be told. */
-int32_t cni_body_boxes_set(const cn_world *world, cni_body *b, cni_vec2 ahead);
+/* Sets the boxes that do not contain the body's shapes now and after ahead (metres), and tells the broadphase of `tell`. NULL: writes the
+   body and its proxies only; then cni_body_boxes_tell must follow with the result, the proxy with a new box or CNI_BOXES_. */
+int32_t cni_body_boxes_set(const cn_world *world, cni_body *b, cni_vec2 ahead, cn_world *tell);
 void cni_body_boxes_tell(cn_world *world, const cni_body *b, int32_t set);
-/* Both. */
-static inline void cni_body_look_ahead(cn_world *world, cni_body *b, cni_vec2 ahead)
-{
-	cni_body_boxes_tell(world, b, cni_body_boxes_set(world, b, ahead));
-}
 /* Does not wake. Locked axes are zeroed. */
 void cni_body_store_velocity(cn_world *world, cni_body *b, cn_velocity v);
 

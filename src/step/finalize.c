@@ -130,7 +130,7 @@ void cni_poses_take(cn_world *world)
 		cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
 		cni_motion *m = cni_motions(world) + k;
 		take_pose(world, cni_awake_ids(world)[k], m);
-		cni_body_look_ahead(world, b, cni_v(0.0f, 0.0f));
+		(void)cni_body_boxes_set(world, b, cni_v(0.0f, 0.0f), world);
 	}
 }
 
@@ -192,11 +192,9 @@ static void body_boxes_follow(const pose_loop *loop, int32_t k, int32_t no_room)
 	cni_body *b = cni_body_at(loop->world, cni_awake_ids(loop->world)[k]);
 	int32_t set = CNI_BOXES_NONE;
 	if (no_room && (b->flags & CNI_BODY_MOVED))
-		set = cni_body_boxes_set(loop->world, b, way_ahead(loop->world, loop->s, k));
+		set = cni_body_boxes_set(loop->world, b, way_ahead(loop->world, loop->s, k), loop->set == NULL ? loop->world : NULL);
 	if (loop->set != NULL)
 		loop->set[k] = set;
-	else if (set != CNI_BOXES_NONE)
-		cni_body_boxes_tell(loop->world, b, set);
 }
 
 /* Asks for what checking the boxes of some near bodies (bits from begin on) reads: first all shapes, then all that these lead to.
