@@ -6,6 +6,8 @@
  * For each benchmark scene: n steps (30), evenly spread over the run, under the simulated clock. Prints
  * scene,workers,ms,ratio: milliseconds a step, and by how much that is faster than one worker. Then, for each stage of cn_profile,
  * scene,serial:stage,ms,share: what no worker shares, and its share in the step of one worker.
+ *
+ * The state after a run must have the same hash with all numbers of workers, whatever the order of chunks.
  */
 #include "scenes/scenes.h"
 #include "team.h"
@@ -30,6 +32,7 @@ enum { STAGES = sizeof stages / sizeof stages[0], STEP = STAGES - 1 };
 
 typedef struct times {
 	double ms[STAGES];
+	uint64_t hash; /* at the end of the run */
 } times;
 
 static int32_t fail(const scene_run *run)
@@ -61,8 +64,16 @@ static int32_t scene_times(const scene *which, int32_t workers, schedule_mode mo
 		for (stage = 0; stage < STAGES && measured; ++stage)
 			out->ms[stage] += 1000.0 / steps * (double)*(const float *)(const void *)((const char *)&profile + stages[stage].at);
 	}
+	cn_world_hash(run.world, &out->hash);
 	scene_close(&run);
 	return 1;
+}
+
+static int32_t is_same(const scene *which, int32_t workers, const times *one, const times *other)
+{
+	if (one->hash != other->hash)
+		fprintf(stderr, "%s: another hash with %" PRId32 " workers\n", which->name, workers);
+	return one->hash == other->hash;
 }
 
 static int32_t scene_print(const scene *which, int32_t steps)
@@ -75,7 +86,7 @@ static int32_t scene_print(const scene *which, int32_t steps)
 		return 0;
 	printf("%s,1,%.4f,1.00\n", which->name, one.ms[STEP]);
 	for (workers = 2; workers <= CN_WORKERS_MAX; workers *= 2) {
-		if (!scene_times(which, workers, SCHEDULE_SHARED, steps, &shared))
+		if (!scene_times(which, workers, SCHEDULE_SHARED, steps, &shared) || !is_same(which, workers, &one, &shared))
 			return 0;
 		printf("%s,%" PRId32 ",%.4f,%.2f\n", which->name, workers, shared.ms[STEP], one.ms[STEP] / shared.ms[STEP]);
 	}
