@@ -27,6 +27,8 @@ static const peer_scene scenes[] = {
 	{"compounds", "700 bodies of five or seven shapes in a pit", peer_compounds, NULL, 400, 700, SLEEP, EARTH, {-24.0f, -2.0f}, {24.0f, 60.0f}},
 	{"washer", "500 bodies of all shapes in a drum with paddles", peer_washer, NULL, 600, 500, 0, EARTH, {-20.0f, -8.0f}, {20.0f, 32.0f}},
 	{"churn", "500 bodies made and removed in each frame", peer_churn, peer_churn_step, 300, 500, SLEEP, EARTH, {-32.0f, -2.0f}, {32.0f, 60.0f}},
+	{"ragdoll_hills", "120 ragdolls on a chain of hills", peer_ragdoll_hills, NULL, 600, 120, SLEEP, EARTH, {-560.0f, -10.0f}, {560.0f, 80.0f}},
+	{"flails", "40 chains of 12 links with a head, 400 boxes", peer_flails, NULL, 400, 40, SLEEP | PEER_SCENE_OPEN, EARTH, {-120.0f, -3.0f}, {120.0f, 40.0f}},
 	{"few_awake", "20,000 sleeping boxes and 500 rolling balls", peer_few_awake, NULL, 400, 20000, SLEEP | PEER_SCENE_OPEN, EARTH, {-3100.0f, -3.0f}, {3100.0f, 40.0f}},
 };
 
