@@ -19,6 +19,7 @@
 #   make bench-peers  time and accuracy beside other engines: see examples/peers/README.md
 #   make bench-diff BASE=rev  time and accuracy beside another revision: see examples/README.md
 #   make bench-scale  how cost grows with the number of bodies: see examples/README.md
+#   make schedule   1 to 64 workers, simulated, and what stays serial: test/schedule/main.c
 #   make ablation   each mechanism switched off alone: bounds lost, seeds worse, time: test/ablation/README.md
 #   make tuning     each tuning constant of the solver times 0.7 and 1.4: bounds lost: test/tuning/README.md
 #   make feature-cost  what each feature costs a step, used and unused: see examples/README.md
@@ -339,6 +340,20 @@ families: $(BUILD)/bin/families
 	@CC='$(CC)' sh test/families/run.sh $(BUILD) $(if $(PEERS),--peers) $(if $(SEEDS),--seeds $(SEEDS)) $(if $(SEED_FIRST),--first $(SEED_FIRST)) \
 		$(if $(FAMILY),--family $(FAMILY)) $(if $(SOLVERS),--solvers $(SOLVERS)) $(if $(SUBSTEPS),--substeps $(SUBSTEPS)) \
 		$(if $(NOISE),--noise $(NOISE)) $(if $(MONOTONE),--monotone $(MONOTONE))
+
+# Times of a step with 1 to 64 workers by a simulated schedule, and what stays serial: test/schedule/main.c. SCENE='smash rain': those.
+SCHEDULE_OBJ := $(patsubst %.c,$(BUILD)/release/%.o,$(sort $(wildcard test/schedule/*.c)))
+$(SCHEDULE_OBJ): $(BUILD)/release/%.o: %.c $(BUILD)/release/flags
+	@mkdir -p $(@D)
+	$(call say,cc)$(CC) $(STRICT) $(MODE) -Iinclude -Isrc -Iexamples $(CPPFLAGS) $(CFLAGS) -c $< -o $@
+$(BUILD)/bin/schedule: $(SCHEDULE_OBJ) $(EXAMPLE_OBJ) $(LIB_OBJ)
+	@mkdir -p $(@D)
+	$(call say,link)$(CC) $(CFLAGS) $(LDFLAGS) $(filter-out %/base/threads.o %/base/clock.o,$^) $(LIBS) -o $@
+-include $(SCHEDULE_OBJ:.o=.d)
+
+.PHONY: schedule
+schedule: $(BUILD)/bin/schedule
+	@$(BUILD)/bin/schedule $(SCENE)
 
 # Error against cost, drawn: test/stability/chart/README.md. PEERS=1: other engines run the same scenes; ROUNDS=3.
 .PHONY: chart

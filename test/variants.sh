@@ -96,8 +96,14 @@ release() {
 	fi
 	check check-deps sh test/check_deps.sh "$build"
 	check exports exports
+	check schedule schedule
 	${MAKE:-make} -s -j"$cores" test-bindings BUILD="$build" > "$build/bindings.log" 2>&1
 	read_log bindings $?
+}
+
+# Steps with up to 64 simulated workers: the same hash in any order of chunks.
+schedule() {
+	${MAKE:-make} -s BUILD="$build" "$build/bin/schedule" && "$build/bin/schedule" tumbler smash --steps 5
 }
 
 # The shared library exports what the header declares and nothing else.

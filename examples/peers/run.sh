@@ -60,7 +60,7 @@ compile() { # build options...: out/build/peers
 	fi
 	narrow=
 	[ "$build" = sse2 ] && narrow=examples/peers/narrow.c
-	for file in main world scene_list scenes_piles scenes_joints engine_cairn; do
+	for file in main world scene_list scenes_piles scenes_joints scenes_crowds engine_cairn; do
 		# shellcheck disable=SC2086
 		"$CC" $strict $common $engines -c "examples/peers/$file.c" -o "$objects/$file.o" || return 1
 	done

@@ -232,6 +232,39 @@ static void add_ragdoll(peer_world *world, float x, float y, int32_t group, peer
 	}
 }
 
+/* Rows of thirty above the middle of the hills: they fall on each other and roll into the valleys. */
+void peer_ragdoll_hills(peer_world *world)
+{
+	peer_body bodies[BONES];
+	add_terrain(world);
+	for (int32_t i = 0; i < world->scene->size; ++i)
+		add_ragdoll(world, 1.1f * (float)(i % 30 - 15), 3.0f + 2.0f * (float)(i / 30), -1 - i, bodies);
+}
+
+/* ------------------------------------------------------------------ chains */
+
+/* Chains of twelve links, hung in a row so near that they sweep through each other's place, over a heap of boxes that they stir. */
+void peer_flails(peer_world *world)
+{
+	peer_shape_def surface = peer_surface();
+	peer_body ground = peer_add(world, 0, 0.0f, 0.0f);
+	float half = 1.5f * (float)world->scene->size;
+	peer_box(world, ground, &surface, peer_at(0.0f, -1.0f), half + 20.0f, 1.0f, 0.0f);
+	for (int32_t i = 0; i < world->scene->size; ++i) {
+		float x = 3.0f * (float)i - half;
+		peer_body last = ground;
+		for (int32_t k = 0; k < 12; ++k) {
+			float r = k == 11 ? 0.5f : 0.1f, at = x + 0.6f * (float)k;
+			peer_body link = peer_add(world, PEER_DYNAMIC, at + 0.3f, 9.0f);
+			peer_capsule(world, link, &surface, peer_at(-0.3f, 0.0f), peer_at(0.3f, 0.0f), r);
+			peer_pin(world, last, k == 0 ? peer_at(at, 9.0f) : peer_at(0.3f, 0.0f), link, peer_at(-0.3f, 0.0f));
+			last = link;
+		}
+		for (int32_t k = 0; k < 10; ++k)
+			peer_simple_box(world, x + 0.5f * (float)(k % 5), 0.3f + 0.5f * (float)(k / 5), 0.25f);
+	}
+}
+
 /* ------------------------------------------------------------------ rain */
 
 #define RAIN_FLOORS 5

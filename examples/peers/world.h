@@ -120,5 +120,13 @@ void peer_bowl(peer_world *world);
 void peer_ball_pit(peer_world *world);
 void peer_mostly_asleep(peer_world *world);
 void peer_cars(peer_world *world);
+void peer_ragdoll_hills(peer_world *world);
+void peer_flails(peer_world *world);
+void peer_junkyard(peer_world *world);
+void peer_compounds(peer_world *world);
+void peer_washer(peer_world *world);
+void peer_churn(peer_world *world);
+void peer_churn_step(peer_world *world, int32_t step_index);
+void peer_few_awake(peer_world *world);
 
 #endif

@@ -73,7 +73,7 @@ static int32_t table_reserve_pointers(cni_table *table, cni_memory *memory, int3
 	return 1;
 }
 
-int32_t cni_table_reserve(cni_table *table, cni_memory *memory, int32_t count)
+int32_t cni_table_grow(cni_table *table, cni_memory *memory, int32_t count)
 {
 	int64_t page_count = table_pages_for(table, count);
 	uint64_t page_bytes = table_page_bytes(table);
@@ -91,11 +91,6 @@ int32_t cni_table_reserve(cni_table *table, cni_memory *memory, int32_t count)
 		table->pages[table->page_count++] = page;
 	}
 	return 1;
-}
-
-int32_t cni_table_capacity(const cni_table *table)
-{
-	return table->page_count << table->page_shift;
 }
 
 uint64_t cni_table_bytes_for(const cni_table *table, int32_t count)
@@ -155,13 +150,10 @@ static int32_t array_move(cni_array *array, cni_memory *memory, int32_t capacity
 	return 1;
 }
 
-int32_t cni_array_reserve(cni_array *array, cni_memory *memory, int32_t count)
+int32_t cni_array_grow(cni_array *array, cni_memory *memory, int32_t count)
 {
-	int32_t grown;
+	int32_t grown = array_grown_capacity(array, count);
 
-	if (count <= array->capacity)
-		return 1;
-	grown = array_grown_capacity(array, count);
 	/* When memory is short, tries again without spare capacity. */
 	return array_move(array, memory, grown) || (grown > count && array_move(array, memory, count));
 }

@@ -24,10 +24,20 @@ typedef struct cni_table {
 
 void cni_table_init(cni_table *table, int32_t item_bytes, int32_t page_shift);
 void cni_table_deinit(cni_table *table, cni_memory *memory);
-/* Makes room for items 0 .. count-1; 0 if there is no memory (items reserved before stay). New items are zeroed. */
-int32_t cni_table_reserve(cni_table *table, cni_memory *memory, int32_t count);
-int32_t cni_table_capacity(const cni_table *table);
 uint64_t cni_table_bytes_for(const cni_table *table, int32_t count);
+/* cni_table_reserve beyond the capacity. */
+int32_t cni_table_grow(cni_table *table, cni_memory *memory, int32_t count);
+
+static inline int32_t cni_table_capacity(const cni_table *table)
+{
+	return table->page_count << table->page_shift;
+}
+
+/* Makes room for items 0 .. count-1; 0 if there is no memory (items reserved before stay). New items are zeroed. */
+static inline int32_t cni_table_reserve(cni_table *table, cni_memory *memory, int32_t count)
+{
+	return count <= cni_table_capacity(table) || cni_table_grow(table, memory, count);
+}
 
 static inline void *cni_table_at(const cni_table *table, int32_t index)
 {
@@ -53,8 +63,15 @@ typedef struct cni_array {
 
 void cni_array_init(cni_array *array, int32_t item_bytes);
 void cni_array_deinit(cni_array *array, cni_memory *memory);
+/* cni_array_reserve beyond the capacity. */
+int32_t cni_array_grow(cni_array *array, cni_memory *memory, int32_t count);
+
 /* Makes room for count items in total; 0 if there is no memory, and nothing changes. New items are not cleared. */
-int32_t cni_array_reserve(cni_array *array, cni_memory *memory, int32_t count);
+static inline int32_t cni_array_reserve(cni_array *array, cni_memory *memory, int32_t count)
+{
+	return count <= array->capacity || cni_array_grow(array, memory, count);
+}
+
 /* The same without spare capacity, for counts that are known beforehand. */
 int32_t cni_array_reserve_exact(cni_array *array, cni_memory *memory, int32_t count);
 

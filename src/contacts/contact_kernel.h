@@ -446,6 +446,28 @@ static void kernel_relax(const cni_color_pass *c, int32_t begin, int32_t end)
 	solve_blocks(c, begin, end, 0);
 }
 
+/* Solves the lanes that are marked once more, and clears the marks. */
+static void kernel_again(const cni_color_pass *c, int32_t begin, int32_t end)
+{
+	int32_t k, l;
+	for (k = begin; k < end; ++k) {
+		const cni_listed_block *b = &c->blocks[k];
+		const float *bounces = b->info->flags & CNI_BLOCK_RESTITUTION ? b->info->restitution : NULL;
+		uint32_t again = b->info->again;
+		b->info->again = 0;
+		for (l = b->begin; again >> l != 0; l += CNI_WIDTH) {
+			cni_mask live = cni_mask_of_bits(again >> l & ((1u << CNI_WIDTH) - 1u));
+			side a, other;
+			side_gather(c->motions, b->rows->ia + l, &a);
+			side_gather(c->motions, b->rows->ib + l, &other);
+			if (b->extra != NULL)
+				sides_lock(b->extra, l, &a, &other);
+			solve_live(b->rows, b->extra, l, &a, &other, &c->kinds[b->kind], 1, bounces, live);
+			sides_scatter(c->motions, b->rows, l, &a, &other, &c->kinds[b->kind]);
+		}
+	}
+}
+
 /* Lanes in which every movable body has settled. */
 CNI_INLINE cni_mask lanes_settled(const cni_external *externals, const cni_contact_block *k, int32_t l, const side *b)
 {
@@ -591,7 +613,7 @@ static void kernel_closing(const cni_velocity_start *starts, const cni_listed_bl
 #include "model/tuning.h"
 
 #if CNI_HAS_RESTITUTION
-const cni_contact_kernel CNI_KERNEL = { { kernel_warm, kernel_solve, kernel_relax }, kernel_closing, kernel_impact, kernel_reuse };
+const cni_contact_kernel CNI_KERNEL = { { kernel_warm, kernel_solve, kernel_relax, kernel_again }, kernel_closing, kernel_impact, kernel_reuse };
 #else
-const cni_contact_kernel CNI_KERNEL = { { kernel_warm, kernel_solve, kernel_relax }, NULL, NULL, kernel_reuse };
+const cni_contact_kernel CNI_KERNEL = { { kernel_warm, kernel_solve, kernel_relax, kernel_again }, NULL, NULL, kernel_reuse };
 #endif

@@ -22,7 +22,7 @@ typedef struct cni_color_pass {
 typedef void cni_contact_kernel_fn(const cni_color_pass *c, int32_t begin, int32_t end);
 
 /* The passes of a kernel. */
-enum { CNI_PASS_WARM, CNI_PASS_SOLVE, CNI_PASS_RELAX, CNI_PASSES };
+enum { CNI_PASS_WARM, CNI_PASS_SOLVE, CNI_PASS_RELAX, CNI_PASS_AGAIN, CNI_PASSES };
 
 /* For each of count blocks, writes as bits the lanes that have restitution and a point that closes faster than speed. Skips groups of
    lanes in which start.jumped of all bodies is less than since. */

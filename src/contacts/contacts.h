@@ -13,8 +13,8 @@ void cni_contacts_list(cn_world *world, cni_solve *s);
 void cni_contacts_warm_start(cn_world *world, const cni_solve *s);
 void cni_contacts_solve(cn_world *world, const cni_solve *s);
 void cni_contacts_relax(cn_world *world, const cni_solve *s);
-/* Repeats the soft pass for one contact, given by its slot. */
-void cni_contact_solve_again(cn_world *world, const cni_solve *s, int32_t slot);
+/* The soft pass for the lanes whose bits are set in `again` of their block; clears the bits. */
+void cni_contacts_solve_again(cn_world *world, const cni_solve *s);
 void cni_contacts_impact(cn_world *world, const cni_solve *s);
 /* Impulses of a step, for contacts that report them. Makes world.sums if some contact does. */
 void cni_impulse_sums_make(cn_world *world);

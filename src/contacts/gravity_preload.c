@@ -372,7 +372,7 @@ static int32_t island_is_due(const cn_world *world, int32_t island)
 
 static int32_t body_is_due(const cn_world *world, const cni_body *b)
 {
-	return b->island == CNI_NONE && (b->flags & CNI_BODY_SET_DOWN) && b->joint_first == CNI_NONE && cni_body_is_quiet(world, b);
+	return (b->flags & CNI_BODY_SET_DOWN) && b->joint_first == CNI_NONE && cni_body_is_quiet(world, b);
 }
 
 static void island_unheld(cn_world *world, int32_t island)
@@ -381,21 +381,29 @@ static void island_unheld(cn_world *world, int32_t island)
 	world->piles_unheld = 1;
 }
 
-/* Visits each island at its first body. */
+/* Orders what is due at a body: the body itself, or its island at the island's first body. */
+static void due_find(pile *q, int32_t index, int32_t island)
+{
+	int32_t body = cni_awake_ids(q->world)[index];
+	if (island == CNI_NONE) {
+		cni_body *b = cni_body_at(q->world, body);
+		if (body_is_due(q->world, b))
+			q->order[q->count++] = (uint32_t)index;
+		b->flags &= ~(uint32_t)CNI_BODY_SET_DOWN;
+	} else if (cni_island_at(q->world, island)->first == body && island_is_due(q->world, island)) {
+		order_find(q, island);
+	}
+}
+
 static void piles_find(pile *q)
 {
 	int32_t k;
 	for (k = 1; k < q->world->awake_count; ++k) {
-		int32_t body = cni_awake_ids(q->world)[k];
-		cni_body *b = cni_body_at(q->world, body);
+		int32_t island = cni_awake_island(q->world, k);
 		q->count = 0;
-		if (body_is_due(q->world, b))
-			q->order[q->count++] = (uint32_t)k;
-		else if (b->island != CNI_NONE && cni_island_at(q->world, b->island)->first == body && island_is_due(q->world, b->island))
-			order_find(q, b->island);
-		if (q->count > 0 && !pile_preload(q) && b->island != CNI_NONE)
-			island_unheld(q->world, b->island);
-		b->flags &= ~(uint32_t)CNI_BODY_SET_DOWN;
+		due_find(q, k, island);
+		if (q->count > 0 && !pile_preload(q) && island != CNI_NONE)
+			island_unheld(q->world, island);
 	}
 }
 

@@ -156,18 +156,18 @@ static void slots_find(const cn_world *world, cni_sparse *sparse, cni_projection
 	projection->slot_end = sparse->projection_slot_count;
 }
 
-/* Solves the contacts of its bodies that are in lanes once more. */
-static void contacts_solve_again(cn_world *world, const cni_solve *s, cni_projection *projection)
+/* Marks the contacts of its bodies that are in lanes, and what they will change. */
+static void contacts_mark(const cn_world *world, cni_sparse *sparse, cni_projection *projection)
 {
 	int32_t k;
 	if (projection->slot_begin == CNI_NONE)
-		slots_find(world, s->direct, projection);
+		slots_find(world, sparse, projection);
 	for (k = projection->slot_begin; k < projection->slot_end; ++k) {
-		int32_t slot = s->direct->projection_slots[k];
+		int32_t slot = sparse->projection_slots[k];
 		const cni_contact_block *block = cni_block_at(world, slot / CNI_LANES);
-		cni_contact_solve_again(world, s, slot);
-		change_mark(s->direct, block->ia[slot % CNI_LANES]);
-		change_mark(s->direct, block->ib[slot % CNI_LANES]);
+		cni_block_info_at(world, slot / CNI_LANES)->again |= 1u << slot % CNI_LANES;
+		change_mark(sparse, block->ia[slot % CNI_LANES]);
+		change_mark(sparse, block->ib[slot % CNI_LANES]);
 	}
 }
 
@@ -227,8 +227,10 @@ void cni_direct_project(cn_world *world, const cni_solve *s)
 	int32_t k, round;
 	if (s->direct == NULL || s->direct->projection_count == 0)
 		return;
-	for (round = 0; projections_run(world, s, round); ++round)
+	for (round = 0; projections_run(world, s, round); ++round) {
 		for (k = 0; k < s->direct->projection_count; ++k)
 			if (s->direct->projections[k].opening)
-				contacts_solve_again(world, s, &s->direct->projections[k]);
+				contacts_mark(world, s->direct, &s->direct->projections[k]);
+		cni_contacts_solve_again(world, s);
+	}
 }

@@ -281,47 +281,50 @@ static int32_t box_leaves(const cn_world *world, const cni_body *b, const cni_sh
 
 static int32_t covers_ahead(int32_t what) { return what == BOX_LEAVES_AHEAD || what == BOX_STAYS_AHEAD; }
 
-/* Checks all boxes of a body, and returns how many the way ahead leaves. With a mover they get new bounds; without one, *out describes
-   the first. */
-static int32_t boxes_check(const cn_world *world, cni_body *b, cni_vec2 ahead, cn_world *mover, cni_box_move *out)
+int32_t cni_body_boxes_set(const cn_world *world, cni_body *b, cni_vec2 ahead, cn_world *tell)
 {
 	cni_transform x = cni_body_transform(b);
 	float room = FLT_MAX, one;
-	int32_t shape, child, count = 0;
+	int32_t shape, child, set = CNI_BOXES_NONE, reaches = 1;
 	cni_aabb fat;
-	out->reaches = 1;
+	if (cni_body_has_room(b, ahead))
+		return CNI_BOXES_NONE;
 	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
 		const cni_shape *s = cni_shape_at(world, shape);
 		for (child = 0; child < cni_shape_children(&world->blocks, s); ++child) {
-			int32_t what = box_leaves(world, b, s, child, &x, ahead, &fat, &one);
+			int32_t what = box_leaves(world, b, s, child, &x, ahead, &fat, &one), proxy = cni_shape_proxy(world, s, child);
 			room = cni_min(room, one);
-			out->reaches &= covers_ahead(what);
-			if (what < BOX_LEAVES || (count++ > 0 && mover == NULL))
+			reaches &= covers_ahead(what);
+			if (what < BOX_LEAVES)
 				continue;
-			out->fat = fat;
-			out->proxy = cni_shape_proxy(world, s, child);
-			if (mover == NULL)
-				continue;
-			cni_proxy_set_fat(cni_proxy_at(world, out->proxy), &fat);
-			mover->broadphase_ops->move(mover->broadphase, out->proxy);
+			set = set == CNI_BOXES_NONE ? proxy : CNI_BOXES_SEVERAL;
+			cni_proxy_set_fat(cni_proxy_at(world, proxy), &fat);
+			if (tell != NULL)
+				tell->broadphase_ops->move(tell->broadphase, proxy);
 		}
 	}
-	cni_body_set_room(b, count > 1 && mover == NULL ? 0.0f : room); /* several boxes: they are checked again later */
-	return count;
+	b->flags = reaches ? b->flags | CNI_BODY_AHEAD : b->flags & ~(uint32_t)CNI_BODY_AHEAD;
+	cni_body_set_room(b, room);
+	return set;
 }
 
-int32_t cni_body_look_ahead(cn_world *world, cni_body *b, cni_vec2 ahead)
+static void proxy_tell(cn_world *world, int32_t proxy)
 {
-	cni_box_move moved;
-	if (cni_body_has_room(b, ahead))
-		return 0;
-	b->flags &= ~(uint32_t)CNI_BODY_AHEAD;
-	(void)boxes_check(world, b, ahead, world, &moved);
-	return moved.reaches;
+	if (cni_proxy_at(world, proxy)->flags & CNI_PROXY_MOVED)
+		world->broadphase_ops->move(world->broadphase, proxy);
 }
 
-int32_t cni_body_boxes_left(const cn_world *world, cni_body *b, cni_vec2 ahead, cni_box_move *out)
+void cni_body_boxes_tell(cn_world *world, const cni_body *b, int32_t set)
 {
-	out->reaches = 0;
-	return cni_body_has_room(b, ahead) ? 0 : boxes_check(world, b, ahead, NULL, out);
+	int32_t shape, child;
+	if (set != CNI_BOXES_SEVERAL) {
+		if (set != CNI_BOXES_NONE)
+			proxy_tell(world, set);
+		return;
+	}
+	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
+		const cni_shape *s = cni_shape_at(world, shape);
+		for (child = 0; child < cni_shape_children(&world->blocks, s); ++child)
+			proxy_tell(world, cni_shape_proxy(world, s, child));
+	}
 }

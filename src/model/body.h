@@ -216,17 +216,11 @@ static inline int32_t cni_body_has_room(const cni_body *b, cni_vec2 ahead)
 {
 	return cni_body_room(b) > cni_max(cni_abs(ahead.x), cni_abs(ahead.y));
 }
-/* Moves the boxes that do not contain the shapes now and after ahead (metres). Returns 1 when it has checked the boxes, and all cover
-   the way ahead. */
-int32_t cni_body_look_ahead(cn_world *world, cni_body *b, cni_vec2 ahead);
-/* A new box for a proxy, and cni_body_boxes_left: the number of boxes that cni_body_look_ahead would move, the first in *out. The
-   caller must move them: the body's room relies on it. */
-typedef struct cni_box_move {
-	cni_aabb fat;
-	int32_t proxy;
-	int32_t reaches; /* the result of cni_body_look_ahead */
-} cni_box_move;
-int32_t cni_body_boxes_left(const cn_world *world, cni_body *b, cni_vec2 ahead, cni_box_move *out);
+enum { CNI_BOXES_NONE = -1, CNI_BOXES_SEVERAL = -2 };
+/* Sets the boxes that do not contain the body's shapes now and after ahead (metres), and tells the broadphase of `tell`. NULL: writes the
+   body and its proxies only; then cni_body_boxes_tell must follow with the result, the proxy with a new box or CNI_BOXES_. */
+int32_t cni_body_boxes_set(const cn_world *world, cni_body *b, cni_vec2 ahead, cn_world *tell);
+void cni_body_boxes_tell(cn_world *world, const cni_body *b, int32_t set);
 /* Does not wake. Locked axes are zeroed. */
 void cni_body_store_velocity(cn_world *world, cni_body *b, cn_velocity v);
 

@@ -292,9 +292,9 @@ CNI_TUNING_FLOAT(CNI_REST_SPEED, 1e-4f)
 CNI_TUNING_FLOAT(CNI_REST_HELD_PART, 3e-4f)
 /* Part of CNI_REST_SPEED that a direct solution leaves: its iterations end there. */
 CNI_TUNING_FLOAT(CNI_REST_SOLVED_PART, 0.2f)
-/* Length units a second, times the sleep delay: summed speed changes from which a slow body does not rest; see step/integrate_pass.h.
-   4 mm/s^2 at the default delay of 0.5 s; a box on a slope 0.5% too steep for a friction of 0.5 has 22 mm/s^2. */
-CNI_TUNING_FLOAT(CNI_STEADY_SPEED, 1e-3f)
+/* Length units a second squared, 0.12% of gravity. A slow body that gains speed faster does not rest; see step/integrate_pass.h. A box on
+   a slope 0.5% too steep for a friction of 0.5 has 22 mm/s^2; what creeps in a heap that settles changes its speed by 4 to 10. */
+CNI_TUNING_FLOAT(CNI_STEADY_ACCELERATION, 12e-3f)
 /* Length units a second. A body that corrections of overlaps and open joints move faster does not rest, although its velocity is zero:
    it would fall asleep before the error is gone. Slower corrections end within the sleep delay. */
 CNI_TUNING_FLOAT(CNI_PUSHED_SPEED, 0.05f)

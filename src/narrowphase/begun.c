@@ -7,7 +7,7 @@
 #include <string.h>
 
 /* Room of a group for manifolds, where not all of its contacts are new. */
-#define KEPT_A_GROUP 3
+#define KEPT_A_GROUP 12
 /* Where more than this part of the list is new, as in a world's first step, room for all would be too much. */
 #define NEW_PART 3
 
@@ -24,11 +24,11 @@ void cni_begun_open(cni_begun_store *store, cn_world *world, int32_t contacts, i
 	store->first_new = created > 0 && created <= contacts / NEW_PART ? (contacts - created) / CNI_BEGUN_GROUP : groups;
 	store->group = store->taken = 0;
 	room = room_before(store, groups);
-	store->kept = (cni_begun *)cni_arena_push(&world->arena, sizeof(cni_begun) * (uint64_t)room + (uint64_t)groups);
+	store->kept = (cni_begun *)cni_arena_push(&world->arena, sizeof(cni_begun) * (uint64_t)room + sizeof(uint16_t) * (uint64_t)groups);
 	if (store->kept == NULL)
 		return;
-	store->counts = (uint8_t *)(store->kept + room);
-	memset(store->counts, 0, (size_t)groups);
+	store->counts = (uint16_t *)(store->kept + room);
+	memset(store->counts, 0, sizeof(uint16_t) * (size_t)groups);
 }
 
 void cni_begun_close(cni_begun_store *store, cn_world *world)

@@ -11,7 +11,7 @@
 #include "narrowphase/touch.h"
 
 /* Contacts in a group. */
-#define CNI_BEGUN_GROUP 64
+#define CNI_BEGUN_GROUP 256
 
 typedef struct cni_begun {
 	cni_manifold manifold;
@@ -21,7 +21,7 @@ typedef struct cni_begun {
 
 typedef struct cni_begun_store {
 	cni_begun *kept;       /* NULL: no room */
-	uint8_t *counts;       /* of each group */
+	uint16_t *counts;      /* of each group */
 	int32_t first_new;     /* the first group with room for all */
 	int32_t group, taken;  /* place of the next one to be taken */
 } cni_begun_store;

@@ -18,7 +18,7 @@
 typedef struct cni_cull_body {
 	float x, y;
 	float ahead_x, ahead_y; /* change of position by velocity; the four are read as one vector */
-	float radius;           /* of a circle around it, turning included; negative: the body is not awake */
+	float radius;           /* of a circle around its centre; negative: the body is not awake */
 } cni_cull_body;
 
 /* Contacts to cull; workers may cull ranges of it in parallel. */

@@ -33,7 +33,7 @@ static void kicked_extend_boxes(cn_world *world, float dt)
 		int32_t body = cni_handles_find(&world->body_handles, ((const cn_body *)world->kicked.data)[k]);
 		cni_body *b = body == CNI_NONE ? NULL : cni_body_at(world, body);
 		if (b != NULL && b->awake != 0)
-			cni_body_look_ahead(world, b, cni_mul(dt, cni_body_velocity(world, b).linear_mps));
+			(void)cni_body_boxes_set(world, b, cni_mul(dt, cni_body_velocity(world, b).linear_mps), world);
 	}
 	world->kicked.count = 0;
 }

@@ -47,7 +47,7 @@ static cni_pair_motion motion_make(const cni_body *a, const cni_body *b, float d
 	m.v = cni_unrotate(a->q, cni_v(b->vx - a->vx, b->vy - a->vy));
 	m.wa = a->w;
 	m.wb = b->w;
-	m.reach = dt * (cni_abs(m.v.x) + cni_abs(m.v.y) + cni_abs(m.wa) * cni_body_turn_reach(a) + cni_abs(m.wb) * cni_body_turn_reach(b));
+	m.reach = dt * (cni_length(m.v) + cni_abs(m.wa) * cni_body_turn_reach(a) + cni_abs(m.wb) * cni_body_turn_reach(b));
 	return m;
 }
 
@@ -188,14 +188,6 @@ static void meet(const cn_world *world, const cni_body *a, const cni_body *b, co
 	}
 }
 
-/* Are the circles around the two bodies farther apart than the speculative distance? Fat boxes are much larger than small bodies, so
-   most pairs that do not touch end here, before their shapes are read. */
-static int32_t circles_apart(const cni_body *a, const cni_body *b, cni_vec2 centers, float margin)
-{
-	float reach = CNI_CIRCLES_APART * (a->extent + b->extent + margin);
-	return cni_length_sq(centers) > reach * reach;
-}
-
 /* Maps frame b into frame a from the difference of the two centres, which loses no digits far from the origin. */
 static cni_transform b_in_a(const cni_body *a, const cni_body *b, cni_vec2 centers)
 {
@@ -235,12 +227,11 @@ int32_t cni_touch_begin(const cn_world *world, const cni_touch_pair *p, float dt
 	out->b = b;
 	CNI_ASSERT(dt == 0.0f || (record_is_of_motion(world, a) && record_is_of_motion(world, b)));
 	out->boxes_overlap = cni_aabb_overlap(&p->proxy[0]->fat, &p->proxy[1]->fat);
-	out->motion = motion_make(a, b, dt);
 	out->manifold.count = 0;
-	out->in.margin = cni_max(world->settings.contact_margin, out->motion.reach);
-	centers = centers_apart(world, p, cni_body_a_to_b(a, b));
-	if (!out->boxes_overlap || circles_apart(a, b, centers, out->in.margin))
+	if (!out->boxes_overlap)
 		return 0;
+	centers = centers_apart(world, p, cni_body_a_to_b(a, b));
+	out->motion = motion_make(a, b, dt);
 	out->in.a = cni_proxy_geometry(&world->blocks, p->proxy[0]);
 	out->in.b = cni_proxy_geometry(&world->blocks, p->proxy[1]);
 	out->radius[0] = out->in.a->radius;

@@ -53,7 +53,7 @@ static inline cni_touch_pair cni_touch_pair_of(const cn_world *world, cni_contac
 	return p;
 }
 
-/* Returns 0 where the manifold is empty: the bodies or their fat boxes are apart. A pair whose boxes are apart ends even if it moves
+/* Returns 0 where the manifold is empty: the fat boxes are apart. A pair whose boxes are apart ends even if it moves
    fast, or the broadphase would find it twice. */
 int32_t cni_touch_begin(const cn_world *world, const cni_touch_pair *p, float dt, cni_touch *out);
 void cni_touch_collide(cni_touch *out);

@@ -27,9 +27,17 @@
 
 #define RECORDS_AHEAD 8 /* bodies whose records are asked for */
 
+/* A body of a group at the beginning of the step. */
+typedef struct member {
+	cni_vec2 center; /* from the centre of the group's first body */
+	cni_vec2 v;
+	float w;
+} member;
+
 /* Connected bodies, by ascending dense index. */
 typedef struct body_group {
 	const int32_t *bodies;
+	member *members;
 	int32_t count;
 } body_group;
 
@@ -215,21 +223,33 @@ static void record_prefetch(const cn_world *world, int32_t index)
 	CNI_PREFETCH(&body_at(world, index)->w);
 }
 
-static void means_find(const cn_world *world, const body_group *p, correction *t)
+/* Reads the bodies' records once: they are not near each other. */
+static void members_read(const cn_world *world, const body_group *p)
 {
 	const cni_body *first = body_at(world, p->bodies[0]);
 	int32_t k;
 	for (k = 0; k < p->count; ++k) {
 		const cni_body *b = body_at(world, p->bodies[k]);
-		const cni_motion *m = cni_motions(world) + p->bodies[k];
-		float mass = 1.0f / m->inv_mass;
 		if (k + RECORDS_AHEAD < p->count)
 			record_prefetch(world, p->bodies[k + RECORDS_AHEAD]);
+		p->members[k].center = center_of(b, first);
+		p->members[k].v = cni_v(b->vx, b->vy);
+		p->members[k].w = b->w;
+	}
+}
+
+static void means_find(const cn_world *world, const body_group *p, correction *t)
+{
+	int32_t k;
+	for (k = 0; k < p->count; ++k) {
+		const member *b = &p->members[k];
+		const cni_motion *m = cni_motions(world) + p->bodies[k];
+		float mass = 1.0f / m->inv_mass;
 		t->mass += mass;
-		t->center = cni_madd(t->center, mass, center_of(b, first));
+		t->center = cni_madd(t->center, mass, b->center);
 		t->moved = cni_madd(t->moved, mass, cni_v(m->dpx, m->dpy));
-		t->speed = cni_madd(t->speed, mass, cni_v(b->vx, b->vy));
-		t->change = cni_madd(t->change, mass, cni_v(m->vx - b->vx, m->vy - b->vy));
+		t->speed = cni_madd(t->speed, mass, b->v);
+		t->change = cni_madd(t->change, mass, cni_v(m->vx - b->v.x, m->vy - b->v.y));
 	}
 	t->center = cni_mul(1.0f / t->mass, t->center);
 	t->moved = cni_mul(1.0f / t->mass, t->moved);
@@ -245,15 +265,14 @@ static cni_vec2 arm_change(const correction *t, const cni_motion *m)
 
 static void lost_find(const cn_world *world, const body_group *p, correction *t)
 {
-	const cni_body *first = body_at(world, p->bodies[0]);
 	int32_t k;
 	for (k = 0; k < p->count; ++k) {
-		const cni_body *b = body_at(world, p->bodies[k]);
+		const member *b = &p->members[k];
 		const cni_motion *m = cni_motions(world) + p->bodies[k];
 		float mass = 1.0f / m->inv_mass, inertia = 1.0f / m->inv_inertia;
-		cni_vec2 r = cni_sub(center_of(b, first), t->center), dr = arm_change(t, m);
-		cni_vec2 du = cni_sub(cni_v(m->vx - b->vx, m->vy - b->vy), t->change);
-		cni_vec2 u = cni_add(cni_sub(cni_v(b->vx, b->vy), t->speed), du);
+		cni_vec2 r = cni_sub(b->center, t->center), dr = arm_change(t, m);
+		cni_vec2 du = cni_sub(cni_v(m->vx - b->v.x, m->vy - b->v.y), t->change);
+		cni_vec2 u = cni_add(cni_sub(b->v, t->speed), du);
 		t->lost += mass * (cni_cross(r, du) + cni_cross(dr, u)) + inertia * (m->w - b->w);
 		t->inertia += mass * cni_length_sq(cni_add(r, dr)) + inertia;
 	}
@@ -261,28 +280,32 @@ static void lost_find(const cn_world *world, const body_group *p, correction *t)
 
 static void correction_apply(const cn_world *world, const body_group *p, const correction *t)
 {
-	const cni_body *first = body_at(world, p->bodies[0]);
 	float w = -t->lost / t->inertia;
 	int32_t k;
 	for (k = 0; k < p->count; ++k) {
-		const cni_body *b = body_at(world, p->bodies[k]);
 		cni_motion *m = cni_motions(world) + p->bodies[k];
-		cni_vec2 r = cni_add(cni_sub(center_of(b, first), t->center), arm_change(t, m));
+		cni_vec2 r = cni_add(cni_sub(p->members[k].center, t->center), arm_change(t, m));
 		m->vx -= w * r.y;
 		m->vy += w * r.x;
 		m->w += w;
 	}
 }
 
-static void group_restore(const cn_world *world, const body_group *p)
+/* Without memory the step continues without the correction. */
+static void group_restore(cn_world *world, body_group *p)
 {
 	correction t;
 	if (p->count < 2 || !is_isolated(world, p))
 		return;
+	p->members = (member *)cni_arena_push(&world->arena, sizeof(member) * (uint64_t)p->count);
+	if (p->members == NULL)
+		return;
 	memset(&t, 0, sizeof t);
+	members_read(world, p);
 	means_find(world, p, &t);
 	lost_find(world, p, &t);
 	correction_apply(world, p, &t);
+	(void)cni_arena_pop(&world->arena, p->members);
 }
 
 /* Groups are in the order of their roots. */
@@ -321,7 +344,7 @@ void cni_angular_momentum_restore(cn_world *world)
 	p.held = (uint8_t *)cni_arena_push(&world->arena, (uint64_t)world->step_island_count);
 	if (p.held != NULL)
 		p.root = (int32_t *)cni_arena_push(&world->arena, 3 * sizeof(int32_t) * count);
-	if (p.root != NULL) { /* else no memory: the step continues without the correction */
+	if (p.root != NULL) {
 		p.end = p.root + count;
 		p.bodies = p.end + count;
 		momentum_restore(&p);

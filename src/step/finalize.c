@@ -130,7 +130,7 @@ void cni_poses_take(cn_world *world)
 		cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
 		cni_motion *m = cni_motions(world) + k;
 		take_pose(world, cni_awake_ids(world)[k], m);
-		cni_body_look_ahead(world, b, cni_v(0.0f, 0.0f));
+		(void)cni_body_boxes_set(world, b, cni_v(0.0f, 0.0f), world);
 	}
 }
 
@@ -180,45 +180,21 @@ static uint64_t bodies_take(cn_world *world, const cni_solve *s, int32_t begin, 
 	return taken.no_room;
 }
 
-enum { MOVED_NONE = -1, MOVED_SEVERAL = -2 };
-
 typedef struct pose_loop {
 	cn_world *world;
 	const cni_solve *s;
-	int32_t *moved; /* of each body: the proxy with a new box, MOVED_NONE or MOVED_SEVERAL. NULL: one worker, which moves boxes at once */
+	int32_t *set;    /* cni_body_boxes_set of each body. NULL: one worker, which tells the broadphase at once */
 	uint32_t rested;
 } pose_loop;
 
-static void boxes_look_ahead(cn_world *world, const cni_solve *s, cni_body *b, int32_t k)
-{
-	if (cni_body_look_ahead(world, b, way_ahead(world, s, k)))
-		b->flags |= CNI_BODY_AHEAD;
-}
-
-/* Writes a body's new box. Bodies with several new boxes are left to boxes_tell. */
-static int32_t body_boxes_set(cn_world *world, const cni_solve *s, cni_body *b, int32_t k)
-{
-	cni_box_move move;
-	int32_t left = cni_body_boxes_left(world, b, way_ahead(world, s, k), &move);
-	if (left > 1)
-		return MOVED_SEVERAL;
-	if (move.reaches)
-		b->flags |= CNI_BODY_AHEAD;
-	if (left == 0)
-		return MOVED_NONE;
-	cni_proxy_set_fat(cni_proxy_at(world, move.proxy), &move.fat);
-	return move.proxy;
-}
-
-/* Notes for a body which proxy has to move. A single worker moves it at once. */
 static void body_boxes_follow(const pose_loop *loop, int32_t k, int32_t no_room)
 {
 	cni_body *b = cni_body_at(loop->world, cni_awake_ids(loop->world)[k]);
-	int32_t leaves = no_room && (b->flags & CNI_BODY_MOVED);
-	if (loop->moved != NULL)
-		loop->moved[k] = leaves ? body_boxes_set(loop->world, loop->s, b, k) : MOVED_NONE;
-	else if (leaves)
-		boxes_look_ahead(loop->world, loop->s, b, k);
+	int32_t set = CNI_BOXES_NONE;
+	if (no_room && (b->flags & CNI_BODY_MOVED))
+		set = cni_body_boxes_set(loop->world, b, way_ahead(loop->world, loop->s, k), loop->set == NULL ? loop->world : NULL);
+	if (loop->set != NULL)
+		loop->set[k] = set;
 }
 
 /* Asks for what checking the boxes of some near bodies (bits from begin on) reads: first all shapes, then all that these lead to.
@@ -254,23 +230,20 @@ static void pose_range(void *context, int32_t begin, int32_t end, int32_t worker
 		no_room = bodies_take(loop->world, loop->s, first, last, &rested);
 		if (loop->world->awake_count >= BODIES_MANY)
 			boxes_prefetch(loop->world, first, no_room);
-		for (k = first; k < last && (no_room != 0 || loop->moved != NULL); ++k, no_room >>= 1)
+		for (k = first; k < last && (no_room != 0 || loop->set != NULL); ++k, no_room >>= 1)
 			body_boxes_follow(loop, k, (int32_t)(no_room & 1u));
 	}
 	if (rested)
 		cni_atomic_add(&loop->rested, 1u);
 }
 
-/* Reports new boxes to the broadphase in the order of the bodies. Bodies with several new boxes are processed here. */
-static void boxes_tell(cn_world *world, const cni_solve *s, const int32_t *moved)
+/* Tells the broadphase of new boxes, in the order of the bodies. */
+static void boxes_tell(cn_world *world, const int32_t *set)
 {
 	int32_t k;
-	for (k = 1; k < world->awake_count; ++k) {
-		if (moved[k] >= 0)
-			world->broadphase_ops->move(world->broadphase, moved[k]);
-		else if (moved[k] == MOVED_SEVERAL)
-			boxes_look_ahead(world, s, cni_body_at(world, cni_awake_ids(world)[k]), k);
-	}
+	for (k = 1; k < world->awake_count; ++k)
+		if (set[k] != CNI_BOXES_NONE)
+			cni_body_boxes_tell(world, cni_body_at(world, cni_awake_ids(world)[k]), set[k]);
 }
 
 /* The readback is kept from the first step after it was asked for until some time after it was last asked for. */
@@ -290,14 +263,14 @@ int32_t cni_stage_finalize(cn_world *world, const cni_solve *s)
 	cni_dummy_stand(world);
 	readback_begin(world);
 	if (world->team != NULL && world->awake_count > 2 * BODIES_A_RANGE)
-		loop.moved = (int32_t *)cni_arena_push(&world->arena, sizeof(int32_t) * (uint64_t)world->awake_count);
-	if (loop.moved != NULL) {
+		loop.set = (int32_t *)cni_arena_push(&world->arena, sizeof(int32_t) * (uint64_t)world->awake_count);
+	if (loop.set != NULL) {
 		cni_parallel_for(world, world->awake_count - 1, BODIES_A_RANGE, pose_range, &loop);
-		boxes_tell(world, s, loop.moved);
+		boxes_tell(world, loop.set);
 	} else {
 		pose_range(&loop, 0, world->awake_count - 1, 0);
 	}
-	cni_arena_pop(&world->arena, loop.moved);
+	cni_arena_pop(&world->arena, loop.set);
 	world->broadphase_ops->settle(world->broadphase);
 	return loop.rested != 0;
 }

@@ -63,11 +63,10 @@ extern const cni_body_kernel cni_body_kernel_8; /* AVX2, chosen at run time */
  * While a body is slow, changes of its speed are summed up: a change dv at time t of the rest timer brings it t dv farther than its
  * speed at the start of the timer would have, so after the time T a steady acceleration a gives a T^2 / 2. Noise and limit cycles of
  * the solver stay below their speed times T, and a steady creep gives nothing. Beyond the sleep delay T is the delay: the sum forgets
- * at this rate. A body that rests gains no more than CNI_STEADY_SPEED times the delay. With the default of 0.5 s this is an acceleration
- * of 4 mm/s^2, 0.04% of gravity; a box on a slope that is 0.5% too steep for a friction of 0.5 has 22 mm/s^2.
+ * at this rate. A body at rest gains no more than an acceleration a of CNI_STEADY_ACCELERATION gives in the delay.
  *
- * Each time that a steady acceleration gains so much, it has added 2 CNI_STEADY_SPEED or more to the speed. A body that gained as often and
- * is slower than that swings about a place, or comes to rest, and counts as at rest.
+ * Each time that a steady acceleration gains so much, it has added a T or more to the speed. A body that gained as often and is slower
+ * than that swings about a place, or comes to rest, and counts as at rest.
  *
  * Changes that a tenth of this acceleration gives in a step are passed by: most bodies of a pile have no others.
  */
@@ -81,9 +80,9 @@ typedef struct cni_gain_limits {
 
 static inline cni_gain_limits cni_gain_limits_make(const cn_world *world, float dt)
 {
-	float delay = world->settings.sleep_delay, steady = CNI_STEADY_SPEED * world->settings.length_unit;
-	float leak = dt / cni_max(delay, dt), little = 0.2f * steady * leak;
-	cni_gain_limits limits = { delay, leak, steady * delay, little * little, 1.98f * steady };
+	float delay = world->settings.sleep_delay, steady = CNI_STEADY_ACCELERATION * world->settings.length_unit;
+	float leak = dt / cni_max(delay, dt), little = 0.1f * steady * delay * leak;
+	cni_gain_limits limits = { delay, leak, 0.5f * steady * delay * delay, little * little, 0.99f * steady * delay };
 	return limits;
 }
 

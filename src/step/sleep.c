@@ -132,8 +132,8 @@ static rests rests_find(cn_world *world)
 	return r;
 }
 
-/* Bodies that may be looked at a step on the average to split islands: hardly a part of what the step costs with as many. */
-#define SPLIT_BODIES_A_STEP 1024
+/* An island of all awake bodies is split once in so many steps. */
+#define SPLIT_STEPS 8
 
 /*
  * Splits at most one island a step. A large island that comes apart loses links in every step, and its resting bodies are still
@@ -143,7 +143,7 @@ static int32_t split_one(cn_world *world, int32_t island)
 {
 	if (island == CNI_NONE || (int32_t)(world->step_count - world->split_step) < 0)
 		return 0;
-	world->split_step = world->step_count + 1u + (uint32_t)(cni_island_at(world, island)->count / SPLIT_BODIES_A_STEP);
+	world->split_step = world->step_count + 1u + (uint32_t)(SPLIT_STEPS * cni_island_at(world, island)->count / world->awake_count);
 	if (!cni_island_split(world, island))
 		world->warnings |= CN_WARNING_FRAME_MEMORY;
 	return 1;
