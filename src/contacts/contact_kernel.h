@@ -446,6 +446,8 @@ static void kernel_relax(const cni_color_pass *c, int32_t begin, int32_t end)
 	solve_blocks(c, begin, end, 0);
 }
 
+#if CNI_HAS_DIRECT
+
 /* Solves the lanes that are marked once more, and clears the marks. */
 static void kernel_again(const cni_color_pass *c, int32_t begin, int32_t end)
 {
@@ -467,6 +469,11 @@ static void kernel_again(const cni_color_pass *c, int32_t begin, int32_t end)
 		}
 	}
 }
+
+#define AGAIN kernel_again
+#else
+#define AGAIN NULL
+#endif
 
 /* Lanes in which every movable body has settled. */
 CNI_INLINE cni_mask lanes_settled(const cni_external *externals, const cni_contact_block *k, int32_t l, const side *b)
@@ -613,7 +620,7 @@ static void kernel_closing(const cni_velocity_start *starts, const cni_listed_bl
 #include "model/tuning.h"
 
 #if CNI_HAS_RESTITUTION
-const cni_contact_kernel CNI_KERNEL = { { kernel_warm, kernel_solve, kernel_relax, kernel_again }, kernel_closing, kernel_impact, kernel_reuse };
+const cni_contact_kernel CNI_KERNEL = { { kernel_warm, kernel_solve, kernel_relax, AGAIN }, kernel_closing, kernel_impact, kernel_reuse };
 #else
-const cni_contact_kernel CNI_KERNEL = { { kernel_warm, kernel_solve, kernel_relax, kernel_again }, NULL, NULL, kernel_reuse };
+const cni_contact_kernel CNI_KERNEL = { { kernel_warm, kernel_solve, kernel_relax, AGAIN }, NULL, NULL, kernel_reuse };
 #endif

@@ -53,17 +53,6 @@ static void overflow_run(cn_world *world, const cni_solve *s, int32_t which)
 			lane_run(world, s, which, &blocks[k], l);
 }
 
-static void overflow_run_again(cn_world *world, const cni_solve *s)
-{
-	const cni_listed_block *blocks = cni_listed_blocks(world, CNI_COLOR_OVERFLOW);
-	int32_t count = world->colors[CNI_COLOR_OVERFLOW].listed_count, k;
-	for (k = 0; k < count; ++k) {
-		uint32_t again = blocks[k].info->again;
-		for (blocks[k].info->again = 0; again != 0; again &= again - 1u)
-			lane_run(world, s, CNI_PASS_SOLVE, &blocks[k], cni_bit_lowest32(again));
-	}
-}
-
 typedef struct color_loop {
 	cni_color_pass c;
 	cni_contact_kernel_fn *run;
@@ -172,11 +161,26 @@ void cni_contacts_solve(cn_world *world, const cni_solve *s)
 	colors_run(world, s, CNI_PASS_SOLVE);
 }
 
+#if CNI_HAS_DIRECT
+
+static void overflow_run_again(cn_world *world, const cni_solve *s)
+{
+	const cni_listed_block *blocks = cni_listed_blocks(world, CNI_COLOR_OVERFLOW);
+	int32_t count = world->colors[CNI_COLOR_OVERFLOW].listed_count, k;
+	for (k = 0; k < count; ++k) {
+		uint32_t again = blocks[k].info->again;
+		for (blocks[k].info->again = 0; again != 0; again &= again - 1u)
+			lane_run(world, s, CNI_PASS_SOLVE, &blocks[k], cni_bit_lowest32(again));
+	}
+}
+
 void cni_contacts_solve_again(cn_world *world, const cni_solve *s)
 {
 	overflow_run_again(world, s);
 	colors_run(world, s, CNI_PASS_AGAIN);
 }
+
+#endif
 
 void cni_contacts_relax(cn_world *world, const cni_solve *s)
 {

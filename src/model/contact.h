@@ -117,7 +117,9 @@ typedef struct cni_block_info {
 	uint16_t fresh;                  /* ... lanes that began then, as bits; the solver clears lanes with an impulse, substep by substep */
 	uint16_t anchored;               /* bits of lanes with an anchor */
 	int32_t sums;                    /* index of its cni_block_sums, or CNI_NONE; within a step, where world.sums is not NULL */
+#if CNI_HAS_DIRECT
 	uint32_t again;                  /* bits of lanes that cni_contacts_solve_again solves; 0 between its calls */
+#endif
 } cni_block_info;
 
 /* Impulses of a block's lanes over a step, while the step runs: contacts/impulse_sums.c. */

@@ -37,7 +37,7 @@ typedef struct member {
 /* Connected bodies, by ascending dense index. */
 typedef struct body_group {
 	const int32_t *bodies;
-	member *members;
+	member *members; /* NULL: no memory, records are read in each pass */
 	int32_t count;
 } body_group;
 
@@ -223,33 +223,44 @@ static void record_prefetch(const cn_world *world, int32_t index)
 	CNI_PREFETCH(&body_at(world, index)->w);
 }
 
-/* Reads the bodies' records once: they are not near each other. */
+static member member_read(const cn_world *world, const body_group *p, int32_t k)
+{
+	const cni_body *b = body_at(world, p->bodies[k]);
+	member m;
+	m.center = center_of(b, body_at(world, p->bodies[0]));
+	m.v = cni_v(b->vx, b->vy);
+	m.w = b->w;
+	return m;
+}
+
+/* The records are not near each other. */
 static void members_read(const cn_world *world, const body_group *p)
 {
-	const cni_body *first = body_at(world, p->bodies[0]);
 	int32_t k;
-	for (k = 0; k < p->count; ++k) {
-		const cni_body *b = body_at(world, p->bodies[k]);
+	for (k = 0; k < p->count && p->members != NULL; ++k) {
 		if (k + RECORDS_AHEAD < p->count)
 			record_prefetch(world, p->bodies[k + RECORDS_AHEAD]);
-		p->members[k].center = center_of(b, first);
-		p->members[k].v = cni_v(b->vx, b->vy);
-		p->members[k].w = b->w;
+		p->members[k] = member_read(world, p, k);
 	}
+}
+
+static member member_of(const cn_world *world, const body_group *p, int32_t k)
+{
+	return p->members != NULL ? p->members[k] : member_read(world, p, k);
 }
 
 static void means_find(const cn_world *world, const body_group *p, correction *t)
 {
 	int32_t k;
 	for (k = 0; k < p->count; ++k) {
-		const member *b = &p->members[k];
+		const member b = member_of(world, p, k);
 		const cni_motion *m = cni_motions(world) + p->bodies[k];
 		float mass = 1.0f / m->inv_mass;
 		t->mass += mass;
-		t->center = cni_madd(t->center, mass, b->center);
+		t->center = cni_madd(t->center, mass, b.center);
 		t->moved = cni_madd(t->moved, mass, cni_v(m->dpx, m->dpy));
-		t->speed = cni_madd(t->speed, mass, b->v);
-		t->change = cni_madd(t->change, mass, cni_v(m->vx - b->v.x, m->vy - b->v.y));
+		t->speed = cni_madd(t->speed, mass, b.v);
+		t->change = cni_madd(t->change, mass, cni_v(m->vx - b.v.x, m->vy - b.v.y));
 	}
 	t->center = cni_mul(1.0f / t->mass, t->center);
 	t->moved = cni_mul(1.0f / t->mass, t->moved);
@@ -267,13 +278,13 @@ static void lost_find(const cn_world *world, const body_group *p, correction *t)
 {
 	int32_t k;
 	for (k = 0; k < p->count; ++k) {
-		const member *b = &p->members[k];
+		const member b = member_of(world, p, k);
 		const cni_motion *m = cni_motions(world) + p->bodies[k];
 		float mass = 1.0f / m->inv_mass, inertia = 1.0f / m->inv_inertia;
-		cni_vec2 r = cni_sub(b->center, t->center), dr = arm_change(t, m);
-		cni_vec2 du = cni_sub(cni_v(m->vx - b->v.x, m->vy - b->v.y), t->change);
-		cni_vec2 u = cni_add(cni_sub(b->v, t->speed), du);
-		t->lost += mass * (cni_cross(r, du) + cni_cross(dr, u)) + inertia * (m->w - b->w);
+		cni_vec2 r = cni_sub(b.center, t->center), dr = arm_change(t, m);
+		cni_vec2 du = cni_sub(cni_v(m->vx - b.v.x, m->vy - b.v.y), t->change);
+		cni_vec2 u = cni_add(cni_sub(b.v, t->speed), du);
+		t->lost += mass * (cni_cross(r, du) + cni_cross(dr, u)) + inertia * (m->w - b.w);
 		t->inertia += mass * cni_length_sq(cni_add(r, dr)) + inertia;
 	}
 }
@@ -284,22 +295,19 @@ static void correction_apply(const cn_world *world, const body_group *p, const c
 	int32_t k;
 	for (k = 0; k < p->count; ++k) {
 		cni_motion *m = cni_motions(world) + p->bodies[k];
-		cni_vec2 r = cni_add(cni_sub(p->members[k].center, t->center), arm_change(t, m));
+		cni_vec2 r = cni_add(cni_sub(member_of(world, p, k).center, t->center), arm_change(t, m));
 		m->vx -= w * r.y;
 		m->vy += w * r.x;
 		m->w += w;
 	}
 }
 
-/* Without memory the step continues without the correction. */
 static void group_restore(cn_world *world, body_group *p)
 {
 	correction t;
 	if (p->count < 2 || !is_isolated(world, p))
 		return;
 	p->members = (member *)cni_arena_push(&world->arena, sizeof(member) * (uint64_t)p->count);
-	if (p->members == NULL)
-		return;
 	memset(&t, 0, sizeof t);
 	members_read(world, p);
 	means_find(world, p, &t);
@@ -344,7 +352,7 @@ void cni_angular_momentum_restore(cn_world *world)
 	p.held = (uint8_t *)cni_arena_push(&world->arena, (uint64_t)world->step_island_count);
 	if (p.held != NULL)
 		p.root = (int32_t *)cni_arena_push(&world->arena, 3 * sizeof(int32_t) * count);
-	if (p.root != NULL) {
+	if (p.root != NULL) { /* else no memory: the step continues without the correction */
 		p.end = p.root + count;
 		p.bodies = p.end + count;
 		momentum_restore(&p);

@@ -357,7 +357,7 @@ static uint64_t arena_bytes(const cn_world_def *d)
 	uint64_t boxes = (CNI_HAS_SWEEP ? 2048u : 64u) + box * (uint64_t)d->shape_capacity, pairs = 64u + sizeof(cni_pair) * (uint64_t)d->contact_capacity; /* or changes of the narrowphase */
 	uint64_t island = 64u + 8u * (uint64_t)d->body_capacity;
 	uint64_t joints = solver_bytes(d), scratch = boxes > pairs ? boxes : pairs;
-	joints += 128u + (uint64_t)islands_for(d->body_capacity) + 32u * ((uint64_t)d->body_capacity + 1u); /* cni_angular_momentum_restore; cni_rest_find takes less */
+	joints += 128u + (uint64_t)islands_for(d->body_capacity) + 3u * sizeof(int32_t) * ((uint64_t)d->body_capacity + 1u); /* cni_angular_momentum_restore; cni_rest_find takes less */
 	joints += 64u + sizeof(int32_t) * ((uint64_t)d->body_capacity + 1u) * 3u / 2u; /* the islands of awake bodies */
 	joints += 64u + sizeof(cni_block_sums) * (uint64_t)cni_min_i(blocks_for(touching_of(d)), events_of(d));
 	return (scratch > joints ? scratch : joints) + island;
