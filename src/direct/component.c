@@ -67,8 +67,9 @@ void cni_component_suspend(cn_world *world, cni_sparse *sparse, cni_component *c
 	cni_component_release(world, sparse, c);
 }
 
-/* Reads the joints' levers from their rows. Returns the number of joints. */
-static int32_t levers_read(const cn_world *world, cni_sparse *sparse, const cni_component *c)
+/* Reads the joints' levers from their rows, and the speeds, at most `push`, that correct their errors at this rate. Returns the number of
+   joints. */
+static int32_t levers_read(const cn_world *world, cni_sparse *sparse, const cni_component *c, float rate, float push)
 {
 	int32_t k, i, joints = 0;
 	for (k = c->begin; k < c->end; ++k) {
@@ -78,15 +79,17 @@ static int32_t levers_read(const cn_world *world, cni_sparse *sparse, const cni_
 			continue;
 		++joints;
 		rows = cni_joint_constraints(world)[n->owner].rows;
-		for (i = 0; i < n->rows; ++i)
+		for (i = 0; i < n->rows; ++i) {
 			cni_levers_set(&n->levers, i, cni_row_lever(&rows[i]));
+			n->closing[i] = cni_clamp(rate * rows[i].error, -push, push);
+		}
 	}
 	return joints;
 }
 
 void cni_direct_refresh(cn_world *world, cni_sparse *sparse, const cni_component *c)
 {
-	(void)levers_read(world, sparse, c);
+	(void)levers_read(world, sparse, c, 0.0f, 0.0f);
 	cni_sparse_factor(sparse, c, cni_motions(world));
 }
 
@@ -107,7 +110,7 @@ void cni_direct_system(cn_world *world, const cni_solve *s, cni_sparse *sparse, 
 	if (c->active)
 		cni_active_clear(world, sparse, c);
 	cni_geometric_stiffness_damp(world, sparse, c, s->h);
-	c->joints = levers_read(world, sparse, c);
+	c->joints = levers_read(world, sparse, c, CNI_JOINT_ERROR_RATE * s->inv_h, s->push_speed);
 	if (c->active)
 		cni_active_levers(world, sparse, c);
 	if (c->has_contacts)
@@ -116,7 +119,6 @@ void cni_direct_system(cn_world *world, const cni_solve *s, cni_sparse *sparse, 
 		cni_sparse_factor(sparse, c, cni_motions(world));
 }
 
-/* Reads and writes each body once: a node's two bodies differ. */
 CNI_INLINE void nodes_push(cn_world *world, const cni_sparse *sparse, const cni_component *c, int32_t width)
 {
 	cni_motion *motions = cni_motions(world);
@@ -124,14 +126,11 @@ CNI_INLINE void nodes_push(cn_world *world, const cni_sparse *sparse, const cni_
 	int32_t k, i;
 	for (k = c->begin; k < c->end; ++k) {
 		const cni_node *n = &sparse->nodes[k];
-		cni_motion a = motions[n->ia], b = motions[n->ib];
 		if (n->owner < 0)
 			continue;
 		for (i = 0; i < n->rows; ++i)
 			constraints[n->owner].rows[i].impulse += n->x[i];
-		cni_levers_push(&n->levers, n->x, &a, &b, width);
-		motions[n->ia] = a;
-		motions[n->ib] = b;
+		cni_levers_push(&n->levers, n->x, motions + n->ia, motions + n->ib, width);
 	}
 }
 
@@ -143,28 +142,17 @@ void cni_direct_push(cn_world *world, const cni_sparse *sparse, const cni_compon
 		nodes_push(world, sparse, c, CNI_NODE_ROWS);
 }
 
-CNI_INLINE void speeds_read(const cn_world *world, cni_sparse *sparse, const cni_component *c, float rate, float push, int32_t width)
+static void right_sides(const cn_world *world, cni_sparse *sparse, const cni_component *c, float part)
 {
 	const cni_motion *motions = cni_motions(world);
-	const cni_joint_constraint *constraints = cni_joint_constraints(world);
-	int32_t k, i;
+	const cni_four zero = cni_four_of(0.0f, 0.0f, 0.0f, 0.0f);
+	int32_t k;
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
-		float speed[CNI_NODE_LANES];
-		if (n->owner < 0)
-			continue;
-		cni_four_store(speed, cni_levers_speed(&n->levers, motions + n->ia, motions + n->ib));
-		for (i = 0; i < width; ++i)
-			n->x[i] = -speed[i] - (i < n->rows ? cni_clamp(rate * constraints[n->owner].rows[i].error, -push, push) : 0.0f);
+		cni_four speed = cni_levers_speed(&n->levers, motions + n->ia, motions + n->ib);
+		cni_four_store(n->total, speed);
+		cni_four_store(n->x, cni_four_subtract(cni_four_subtract(zero, speed), cni_four_scale(cni_four_load(n->closing), part)));
 	}
-}
-
-static void right_sides(const cn_world *world, cni_sparse *sparse, const cni_component *c, float rate, float push)
-{
-	if (c->width == 2)
-		speeds_read(world, sparse, c, rate, push, 2);
-	else
-		speeds_read(world, sparse, c, rate, push, CNI_NODE_ROWS);
 }
 
 /*
@@ -174,15 +162,12 @@ static void right_sides(const cn_world *world, cni_sparse *sparse, const cni_com
  */
 static void leaks_add(const cn_world *world, cni_sparse *sparse, const cni_component *c)
 {
-	const cni_motion *motions = cni_motions(world);
 	const cni_joint_constraint *constraints = cni_joint_constraints(world);
 	int32_t k, i;
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
-		for (i = 0; i < n->rows && n->owner >= 0; ++i) {
-			cni_lever l = cni_levers_row(&n->levers, i);
-			n->x[i] -= CNI_DIRECT_LEAK * cni_lever_inverse_mass(&l, motions + n->ia, motions + n->ib) * constraints[n->owner].rows[i].impulse;
-		}
+		for (i = 0; i < n->rows && n->owner >= 0; ++i)
+			n->x[i] -= CNI_DIRECT_LEAK * n->diagonal[i] * constraints[n->owner].rows[i].impulse;
 	}
 }
 
@@ -253,6 +238,8 @@ static void dampers_forget(cn_world *world, const cni_sparse *sparse, const cni_
    larger diagonal, which the component keeps for this step. */
 int32_t cni_direct_apply(cn_world *world, cni_sparse *sparse, cni_component *c)
 {
+	if (c->loops || c->active)
+		sides_save(sparse, c, 0);
 	if (!c->loops) {
 		if (!cni_sparse_solve(sparse, c))
 			return 0;
@@ -260,7 +247,6 @@ int32_t cni_direct_apply(cn_world *world, cni_sparse *sparse, cni_component *c)
 		dampers_forget(world, sparse, c);
 		return 1;
 	}
-	sides_save(sparse, c, 0);
 	for (;;) {
 		cni_direct_motions_save(world, sparse, c, 0);
 		if (cni_sparse_solve(sparse, c)) {
@@ -282,7 +268,7 @@ int32_t cni_direct_apply(cn_world *world, cni_sparse *sparse, cni_component *c)
 
 void cni_direct_right_sides(cn_world *world, const cni_solve *s, const cni_component *c, int32_t bias)
 {
-	right_sides(world, s->direct, c, bias ? CNI_JOINT_ERROR_RATE * s->inv_h : 0.0f, s->push_speed);
+	right_sides(world, s->direct, c, bias ? 1.0f : 0.0f);
 	if (bias && c->loops && !c->has_contacts)
 		leaks_add(world, s->direct, c);
 	if (c->active)

@@ -35,10 +35,11 @@ typedef struct cni_node {
 	cni_levers levers;
 	float compliance[CNI_NODE_ROWS];   /* added to the diagonal */
 	float cross;                       /* ... and to the element between the first two rows */
-	float least[CNI_NODE_ROWS];        /* smaller pivots are rounding errors and are treated as zero */
+	float diagonal[CNI_NODE_ROWS];     /* of the present system */
+	float closing[CNI_NODE_LANES];     /* of a joint: speeds that correct errors are their negatives */
 	float x[CNI_NODE_LANES];           /* right hand side in, solution out; the last is zero */
 	float carried[CNI_NODE_LANES];     /* impulses at the begin of a pass */
-	float total[CNI_NODE_ROWS];        /* sum of the solutions so far, where there are several; of joints with motors: target speeds */
+	float total[CNI_NODE_LANES];       /* sum of the solutions so far, where there are several; without contacts: speeds of the rows, then targets */
 	float target;                      /* ... target speed of the third row: direct/active_rows.c */
 } cni_node;
 

@@ -64,7 +64,7 @@ CNI_INLINE int32_t diagonal_at(int32_t i, int32_t w)
 }
 
 /* Computes a node's own block. */
-CNI_INLINE void diagonal_form(cni_node *n, float *d, const cni_motion *motions, float regular, float least, int32_t w)
+CNI_INLINE void diagonal_form(cni_node *n, float *d, const cni_motion *motions, float regular, int32_t w)
 {
 	const cni_motion *a = motions + n->ia, *b = motions + n->ib;
 	const cni_levers *l = &n->levers;
@@ -82,7 +82,7 @@ CNI_INLINE void diagonal_form(cni_node *n, float *d, const cni_motion *motions, 
 	for (i = 0; i < w; ++i) {
 		float *x = &d[diagonal_at(i, w)];
 		*x += regular * *x + n->compliance[i];
-		n->least[i] = least * *x;
+		n->diagonal[i] = *x;
 	}
 }
 
@@ -116,21 +116,21 @@ typedef struct factor_rows {
 
 /*
  * Inverts a symmetric block, given by its lower triangle, in place by LDL^T, and returns the inverse's rows. A row whose pivot has cancelled
- * to below `least` is zero in the inverse, so that it gets no impulse, and so is one beyond those used.
+ * to below `least` of the diagonal is zero in the inverse, so that it gets no impulse, and so is one beyond those used.
  */
-CNI_INLINE factor_rows pivot_invert(float *d, const float *least, int32_t used, int32_t w)
+CNI_INLINE factor_rows pivot_invert(float *d, const float *diagonal, float least, int32_t used, int32_t w)
 {
 	factor_rows f;
 	if (w == 2) {
-		float i0 = pivot_inverse(d[0], least[0]), l10 = d[2] * i0, i1 = pivot_inverse(d[3] - l10 * d[2], least[1]);
+		float i0 = pivot_inverse(d[0], least * diagonal[0]), l10 = d[2] * i0, i1 = pivot_inverse(d[3] - l10 * d[2], least * diagonal[1]);
 		float d0 = i0 + l10 * l10 * i1, d1 = -l10 * i1;
 		f.row[0] = cni_four_of(d0, d1, d0, d1);
 		f.row[1] = f.row[2] = cni_four_of(d1, i1, d1, i1);
 		cni_four_store(d, cni_four_of(d0, d1, d1, i1));
 	} else {
-		float i0 = pivot_inverse(d[0], least[0]), l10 = d[4] * i0, l20 = d[8] * i0;
-		float i1 = used < 2 ? 0.0f : pivot_inverse(d[5] - l10 * d[4], least[1]), c21 = d[9] - l20 * d[4], l21 = c21 * i1;
-		float i2 = used < 3 ? 0.0f : pivot_inverse(d[10] - l20 * d[8] - l21 * c21, least[2]), t20 = l10 * l21 - l20;
+		float i0 = pivot_inverse(d[0], least * diagonal[0]), l10 = d[4] * i0, l20 = d[8] * i0;
+		float i1 = used < 2 ? 0.0f : pivot_inverse(d[5] - l10 * d[4], least * diagonal[1]), c21 = d[9] - l20 * d[4], l21 = c21 * i1;
+		float i2 = used < 3 ? 0.0f : pivot_inverse(d[10] - l20 * d[8] - l21 * c21, least * diagonal[2]), t20 = l10 * l21 - l20;
 		float d1 = -l10 * i1 - t20 * l21 * i2, d2 = t20 * i2, d5 = -l21 * i2;
 		int32_t i;
 		f.row[0] = cni_four_of(i0 + l10 * l10 * i1 + t20 * t20 * i2, d1, d2, 0.0f);
@@ -220,10 +220,10 @@ CNI_INLINE int32_t run_length(const cni_sparse *s, int32_t e, int32_t end, int32
 }
 
 /* Eliminates node k, of which `used` rows are not zero, from all later nodes. Its blocks are multiplied by its pivot. */
-CNI_INLINE void node_eliminate(const cni_sparse *s, const region *r, int32_t k, int32_t used, int32_t w)
+CNI_INLINE void node_eliminate(const cni_sparse *s, const region *r, int32_t k, float least, int32_t used, int32_t w)
 {
 	int32_t e, f, run, end = s->first[k + 1];
-	const factor_rows pivot = pivot_invert(pivot_at(r, k, w), s->nodes[k].least, used, w);
+	const factor_rows pivot = pivot_invert(pivot_at(r, k, w), s->nodes[k].diagonal, least, used, w);
 	for (e = s->first[k]; e < end; ++e) {
 		int32_t m = s->below[e], at = s->first[m];
 		factor_rows right = columns_of(block_at(r, e, w), w);
@@ -259,7 +259,7 @@ CNI_INLINE void factor(cni_sparse *s, const cni_component *c, const cni_motion *
 	if (!c->tree)
 		memset(r.blocks, 0, sizeof(float) * block_floats(w) * (size_t)(s->first[c->end] - r.block_first));
 	for (k = c->begin; k < c->end; ++k)
-		diagonal_form(&s->nodes[k], pivot_at(&r, k, w), motions, c->regular, least, w);
+		diagonal_form(&s->nodes[k], pivot_at(&r, k, w), motions, c->regular, w);
 	for (k = c->coupling_begin; k < c->coupling_end && c->tree; ++k) /* in a tree each coupling has its own block */
 		coupling_add(s, &s->couplings[k], motions, block_at(&r, s->couplings[k].block, w), 1, w);
 	for (k = c->coupling_begin; k < c->coupling_end && !c->tree; ++k)
@@ -267,11 +267,11 @@ CNI_INLINE void factor(cni_sparse *s, const cni_component *c, const cni_motion *
 	for (k = c->begin; k < c->end; ++k) {
 		int32_t used = w == 2 ? 2 : rows_used(&s->nodes[k].levers);
 		if (w == 2 || used == 2)
-			node_eliminate(s, &r, k, 2, w);
+			node_eliminate(s, &r, k, least, 2, w);
 		else if (used == 1)
-			node_eliminate(s, &r, k, 1, w);
+			node_eliminate(s, &r, k, least, 1, w);
 		else
-			node_eliminate(s, &r, k, 3, w);
+			node_eliminate(s, &r, k, least, 3, w);
 	}
 }
 
