@@ -98,10 +98,10 @@ void cni_direct_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, c
 	cni_joint_constraints_complete(world, sparse, c);
 	cni_sparse_clear(sparse, c);
 	cni_direct_rotations(world, sparse, c);
-	cni_geometric_stiffness_find(world, sparse, c, s->h);
 	c->active = c->has_contacts || c->kind != CNI_NONE || !CNI_ON(ACTIVE_ROWS) ? 0 : cni_active_begin(world, s, sparse, c);
-	if (c->active || cni_geometric_stiffness_needs_dampers(world, sparse, c, s->h))
+	if (c->active)
 		c->width = CNI_NODE_ROWS;
+	cni_geometric_stiffness_begin(world, sparse, c, s->h);
 	cni_direct_system(world, s, sparse, c);
 }
 
@@ -225,7 +225,7 @@ static void dampers_forget(cn_world *world, const cni_sparse *sparse, const cni_
 	const cni_motion *motions = cni_motions(world);
 	cni_velocity_start *starts = cni_starts(world);
 	int32_t k;
-	for (k = c->begin; k < c->end && c->width == CNI_NODE_ROWS; ++k) {
+	for (k = c->begin; k < c->end && c->damps; ++k) {
 		const cni_node *n = &sparse->nodes[k];
 		if (n->rows != 2 || n->owner < 0 || (n->active & CNI_ROW_IN_SET))
 			continue;

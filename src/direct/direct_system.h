@@ -108,7 +108,9 @@ float cni_geometric_stiffness_rods(const cn_world *world, cni_sparse *sparse, co
 float cni_geometric_stiffness_largest(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
 /* 1: the stiffness is near or beyond the limit of substeps of length h. */
 int32_t cni_geometric_stiffness_needs_dampers(const cn_world *world, const cni_sparse *sparse, const cni_component *c, float h);
-/* Sets the damping rows (third rows) of pins in a component of width 3, before its factorization. */
+/* cni_geometric_stiffness_find, and whether the component has dampers in this step: it then has width 3. */
+void cni_geometric_stiffness_begin(const cn_world *world, cni_sparse *sparse, cni_component *c, float h);
+/* Sets the damping rows (third rows) of pins in a component that has dampers, before its factorization. */
 void cni_geometric_stiffness_damp(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h);
 
 /* Applies x of every node to body velocities and row impulses. */

@@ -395,6 +395,8 @@ static void step_undo(const rattle_step *g)
 {
 	int32_t k;
 	cni_dummy_stand(g->world);
+	if (g->c->damps)
+		cni_sparse_clear(g->sparse, g->c);
 	cni_direct_motions_save(g->world, g->sparse, g->c, 1);
 	cni_direct_rotations(g->world, g->sparse, g->c);
 	for (k = g->c->begin; k < g->c->end; ++k)
@@ -463,11 +465,8 @@ static int32_t rattle_try(rattle_step *g, const cni_solve *s, cni_component *c, 
 	g->h = s->dt / (float)substeps;
 	g->closing = g->h * s->push_speed;
 	impulses_reset(g, s->warm_scale * g->h / s->h);
-	g->warm = 0.5f;
-	if (cni_geometric_stiffness_needs_dampers(g->world, g->sparse, c, g->h)) {
-		g->warm = 0.0f;
-		c->width = CNI_NODE_ROWS;
-	}
+	cni_geometric_stiffness_begin(g->world, g->sparse, c, g->h);
+	g->warm = c->damps ? 0.0f : 0.5f;
 	cni_geometric_stiffness_damp(g->world, g->sparse, c, g->h);
 	cni_direct_refresh(g->world, g->sparse, c);
 	before = cni_rattle_energy(g); /* no work has been done at the beginning of a step */
@@ -492,8 +491,6 @@ static int32_t project_try(rattle_step *g, const cni_solve *s, cni_component *c,
 	g->h = s->dt / (float)cni_max_i(CNI_RATTLE_SUBSTEPS_FIRM, s->substeps);
 	g->closing = g->h * s->push_speed;
 	impulses_reset(g, 0.0f);
-	if (c->width > 2)
-		cni_sparse_clear(g->sparse, c); /* no dampers */
 	cni_direct_refresh(g->world, g->sparse, c);
 	before = cni_rattle_energy(g);
 	g->closes_gaps = cni_rattle_closes_gaps(g);

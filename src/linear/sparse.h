@@ -78,6 +78,7 @@ typedef struct cni_component {
 	int32_t factored;              /* ... 1: the pivots belong to the present levers */
 	int32_t joints;                /* number of nodes that are joints: direct/direct_joints.c */
 	int32_t active;                /* 1: the active set has limits, 2: also motors: direct/active_rows.c */
+	int32_t damps;                 /* 1: its pins may have dampers or locks in this step: direct/geometric_stiffness.c */
 	int32_t kind;                  /* topology class or CNI_NONE: linear/topology_class.c */
 	int32_t batches;                 /* 1: solved side by side with others of its class: direct/batched_trees.c */
 	int32_t batch, lane;            /* ... where */
