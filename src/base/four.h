@@ -15,6 +15,7 @@ typedef float cni_four __attribute__((vector_size(16)));
 typedef float cni_four_loose __attribute__((vector_size(16), aligned(4), may_alias));
 
 CNI_INLINE cni_four cni_four_of(float x, float y, float z, float w) { return (cni_four){ x, y, z, w }; }
+CNI_INLINE cni_four cni_four_all(float x) { return (cni_four){ x, x, x, x }; }
 CNI_INLINE cni_four cni_four_load(const float *p) { return *(const cni_four_loose *)(const void *)p; }
 CNI_INLINE void cni_four_store(float *p, cni_four a) { *(cni_four_loose *)(void *)p = a; }
 CNI_INLINE cni_four cni_four_add(cni_four a, cni_four b) { return a + b; }
@@ -38,6 +39,7 @@ typedef struct cni_four {
 	return out
 
 CNI_INLINE cni_four cni_four_of(float x, float y, float z, float w) { return (cni_four){ { x, y, z, w } }; }
+CNI_INLINE cni_four cni_four_all(float x) { CNI_FOUR_LANES(x); }
 CNI_INLINE cni_four cni_four_load(const float *p) { CNI_FOUR_LANES(p[l]); }
 CNI_INLINE void cni_four_store(float *p, cni_four a) { memcpy(p, a.lane, sizeof a.lane); }
 CNI_INLINE cni_four cni_four_add(cni_four a, cni_four b) { CNI_FOUR_LANES(a.lane[l] + b.lane[l]); }

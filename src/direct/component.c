@@ -145,7 +145,7 @@ void cni_direct_push(cn_world *world, const cni_sparse *sparse, const cni_compon
 static void right_sides(const cn_world *world, cni_sparse *sparse, const cni_component *c, float part)
 {
 	const cni_motion *motions = cni_motions(world);
-	const cni_four zero = cni_four_of(0.0f, 0.0f, 0.0f, 0.0f);
+	const cni_four zero = cni_four_all(0.0f);
 	int32_t k;
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];

@@ -152,7 +152,7 @@ static void move(cni_motion *m, cni_four change, float h, float part)
 /* Applies x of every node to positions over a time h, and a part of it (1 or 0) to velocities and impulses. */
 static void push_and_move(const rattle_step *g, float h, float part)
 {
-	const cni_four zero = cni_four_of(0.0f, 0.0f, 0.0f, 0.0f);
+	const cni_four zero = cni_four_all(0.0f);
 	int32_t k;
 	for (k = g->c->begin; k < g->c->end; ++k) {
 		cni_node *n = &g->sparse->nodes[k];
@@ -230,7 +230,7 @@ static int32_t positions_close(const rattle_step *g)
 
 static int32_t velocities_close(const rattle_step *g)
 {
-	const cni_four zero = cni_four_of(0.0f, 0.0f, 0.0f, 0.0f);
+	const cni_four zero = cni_four_all(0.0f);
 	int32_t k;
 	for (k = g->c->begin; k < g->c->end; ++k) {
 		cni_node *n = &g->sparse->nodes[k];

@@ -9,7 +9,7 @@
  *   nodes     [0][1][2][3]...            in the order of elimination; components one after the other
  *   first     index of node k's first block; it has one for each later neighbour, fill included
  *   below     the later node of each block, ascending
- *   block     2 x 2 floats or 3 rows of 4, row major: rows of the later node, columns of the earlier one
+ *   block     2 x 2 floats or 3 columns of 4, column major: rows of the later node, columns of the earlier one
  *   pivot     inverse of the node's own block after elimination
  *
  * A row that acts on no body, or that depends on other rows (its pivot cancels), gets no impulse.
