@@ -72,7 +72,7 @@ int32_t cni_active_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse
 			continue;
 		cni_joint_constraint_narrow(world, s, n->owner);
 		w->active_row = row;
-		n->active = state_begin(&w->rows[row], s);
+		n->active = CNI_ROW_CHOSEN | state_begin(&w->rows[row], s);
 		found = cni_max_i(found, w->rows[row].kind == CNI_ROW_MOTOR ? 2 : 1);
 	}
 	return found;

@@ -32,15 +32,13 @@ static int32_t set_change(const cn_world *world, const cni_solve *s, cni_sparse 
 		if (n->active & CNI_ROW_IN_SET) {
 			if (r->impulse >= least && r->impulse <= most)
 				continue;
-			n->active = r->impulse > most ? CNI_ROW_AT_UPPER : 0;
+			n->active = CNI_ROW_CHOSEN | (r->impulse > most ? CNI_ROW_AT_UPPER : 0u);
 			row_set_impulse(world, n, r, cni_clamp(r->impulse, least, most));
 		} else {
 			float missing = n->target - cni_row_speed(r, motions + n->ia, motions + n->ib);
-			if (n->active & CNI_ROW_AT_UPPER ? missing >= 0.0f : missing <= 0.0f && r->kind == CNI_ROW_MOTOR)
+			if (n->active & CNI_ROW_AT_UPPER ? missing >= 0.0f : missing <= 0.0f)
 				continue;
-			if (r->kind == CNI_ROW_LIMIT && missing <= 0.0f)
-				continue;
-			n->active = CNI_ROW_IN_SET;
+			n->active = CNI_ROW_CHOSEN | CNI_ROW_IN_SET;
 		}
 		changed = 1;
 	}

@@ -227,7 +227,7 @@ static void dampers_forget(cn_world *world, const cni_sparse *sparse, const cni_
 	int32_t k;
 	for (k = c->begin; k < c->end && c->damps; ++k) {
 		const cni_node *n = &sparse->nodes[k];
-		if (n->rows != 2 || n->owner < 0 || (n->active & CNI_ROW_IN_SET))
+		if (n->x[2] == 0.0f || n->rows != 2 || n->owner < 0 || (n->active & CNI_ROW_IN_SET))
 			continue;
 		starts[n->ia].w += motions[n->ia].inv_inertia * n->levers.aw[2] * n->x[2];
 		starts[n->ib].w += motions[n->ib].inv_inertia * n->levers.bw[2] * n->x[2];

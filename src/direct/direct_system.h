@@ -59,14 +59,14 @@ void cni_projection_mark(const cn_world *world, cni_sparse *sparse);
 
 /* ---- motors and limits in the system: direct/active_rows.c ---- */
 
-/* Bits of a node's `active`. */
-enum { CNI_ROW_IN_SET = 1u, CNI_ROW_AT_UPPER = 2u };
+/* Bits of the `active` of a joint's node: its third row is a motor or limit, is in the set, is at its upper bound. */
+enum { CNI_ROW_IN_SET = 1u, CNI_ROW_AT_UPPER = 2u, CNI_ROW_CHOSEN = 4u };
 
-/* The motor or limit row that is the third row of a node, or NULL. */
+/* The motor or limit row that is the third row of a node, or NULL. For components with an active set. */
 static inline cni_row *cni_active_row(const cn_world *world, const cni_node *n)
 {
-	cni_joint_constraint *w = n->owner >= 0 ? &cni_joint_constraints(world)[n->owner] : NULL;
-	return w != NULL && w->active_row > 0 ? &w->rows[w->active_row] : NULL;
+	const cni_joint_constraint *w = cni_joint_constraints(world) + n->owner;
+	return n->active & CNI_ROW_CHOSEN ? &w->rows[w->active_row] : NULL;
 }
 static inline float cni_active_impulse_most(const cni_row *r, const cni_solve *s)
 {

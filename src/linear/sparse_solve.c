@@ -8,8 +8,6 @@
  */
 #include "linear/sparse.h"
 
-#include <string.h>
-
 #define PIVOT_LEAST_REGULAR 0.2f /* so is one below this part of what was added to it: see CNI_PIVOT_LEAST */
 
 /* A component's blocks and pivots: packed at the component's width into memory for the largest width. */
@@ -220,19 +218,28 @@ static int32_t rows_used(const cni_levers *l)
 	return i + 1;
 }
 
+CNI_INLINE void blocks_clear(const region *r, int32_t block, int32_t end, int32_t w)
+{
+	int32_t i;
+	for (; block < end; ++block)
+		for (i = 0; i < (int32_t)block_floats(w); i += 4)
+			cni_four_store(block_at(r, block, w) + i, cni_four_all(0.0f));
+}
+
 CNI_INLINE void factor(cni_sparse *s, const cni_component *c, const cni_motion *motions, int32_t w)
 {
 	region r = region_of(s, c);
 	float least = cni_max(CNI_PIVOT_LEAST, PIVOT_LEAST_REGULAR * c->regular);
-	int32_t k;
-	if (!c->tree)
-		memset(r.blocks, 0, sizeof(float) * block_floats(w) * (size_t)(s->first[c->end] - r.block_first));
+	int32_t k, formed = r.block_first;
 	for (k = c->begin; k < c->end; ++k)
 		diagonal_form(&s->nodes[k], pivot_at(&r, k, w), motions, c->regular, w);
-	for (k = c->coupling_begin; k < c->coupling_end && c->tree; ++k) /* in a tree each coupling has its own block */
-		coupling_add(s, &s->couplings[k], motions, block_at(&r, s->couplings[k].block, w), 1, w);
-	for (k = c->coupling_begin; k < c->coupling_end && !c->tree; ++k)
-		coupling_add(s, &s->couplings[k], motions, block_at(&r, s->couplings[k].block, w), 0, w);
+	for (k = c->coupling_begin; k < c->coupling_end; ++k) { /* by block, ascending; between them is fill */
+		const int32_t block = s->couplings[k].block, first = block >= formed;
+		blocks_clear(&r, formed, block, w);
+		coupling_add(s, &s->couplings[k], motions, block_at(&r, block, w), first, w);
+		formed = block + 1;
+	}
+	blocks_clear(&r, formed, s->first[c->end], w);
 	for (k = c->begin; k < c->end; ++k) {
 		int32_t used = w == 2 ? 2 : rows_used(&s->nodes[k].levers);
 		if (w == 2 || used == 2)
