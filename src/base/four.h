@@ -59,6 +59,13 @@ CNI_INLINE cni_four cni_four_pick(cni_four a, cni_four b, int32_t i, int32_t k, 
 
 #endif
 
+CNI_INLINE float cni_four_sum(cni_four a)
+{
+	float lane[4];
+	cni_four_store(lane, a);
+	return lane[0] + lane[1] + lane[2] + lane[3];
+}
+
 /* The first three columns of the matrix with rows a, b, c, as vectors whose last lane is that of the row c. */
 CNI_INLINE void cni_four_columns(cni_four *a, cni_four *b, cni_four *c)
 {

@@ -201,22 +201,26 @@ static float inverse_or_zero(float x)
  */
 static int32_t is_bounded(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
-	float bound = 0.0f, gain = 0.0f, all = 0.0f, push = 0.0f;
-	int32_t k, i;
+	const float fastest = world->settings.push_speed_max;
+	cni_four work = cni_four_all(0.0f), change = work, before = work;
+	float push = 0.0f, gain, all;
+	int32_t k;
 	for (k = c->begin; k < c->end; ++k)
-		for (i = 0; i < c->width; ++i)
-			bound += sparse->nodes[k].carried[i] * sparse->nodes[k].x[i];
+		work = cni_four_add(work, cni_four_times(cni_four_load(sparse->nodes[k].carried), cni_four_load(sparse->nodes[k].x)));
 	for (k = c->body_begin; k < c->body_end; ++k) {
-		const cni_motion *m = cni_motions(world) + sparse->bodies[k], *old = sparse->saved + k;
-		float mass = inverse_or_zero(m->inv_mass), inertia = inverse_or_zero(m->inv_inertia);
-		float vx = m->vx - old->vx, vy = m->vy - old->vy, w = m->w - old->w;
-		gain += mass * (vx * vx + vy * vy) + inertia * w * w;
-		all += mass * (old->vx * old->vx + old->vy * old->vy) + inertia * old->w * old->w;
-		push += mass * world->settings.push_speed_max * world->settings.push_speed_max;
+		const cni_motion *m = cni_motions(world) + sparse->bodies[k];
+		float mass = inverse_or_zero(m->inv_mass);
+		cni_four masses = cni_four_of(mass, mass, inverse_or_zero(m->inv_inertia), 0.0f), old = cni_four_load(&sparse->saved[k].vx);
+		cni_four v = cni_four_subtract(cni_four_load(&m->vx), old);
+		change = cni_four_add(change, cni_four_times(cni_four_times(v, v), masses));
+		before = cni_four_add(before, cni_four_times(cni_four_times(old, old), masses));
+		push += mass * fastest * fastest;
 	}
+	gain = cni_four_sum(change);
+	all = cni_four_sum(before);
 	if (c->active < 2 && !(gain <= 2.0f * (all + push))) /* (a + b)^2 <= 2 (a^2 + b^2) */
 		return 0;
-	return gain <= 1.1f * bound + 1e-6f * all; /* false for NaN */
+	return gain <= 1.1f * cni_four_sum(work) + 1e-6f * all; /* false for NaN */
 }
 
 /* The next substep begins without the impulses of dampers and locks: they act against the motion of one substep and are no loads. */

@@ -284,7 +284,6 @@ CNI_INLINE int32_t solve(cni_sparse *s, const cni_component *c, int32_t w)
 	cni_four finite = zero; /* sum of 0 * x: stays 0 while all x are finite */
 	const int32_t vectors = w == 2 ? 1 : 3;
 	int32_t k, e, i;
-	float sums[4];
 	for (k = c->begin; k < c->end; ++k) {
 		cni_four x = cni_four_load(nodes[k].x), lanes[CNI_NODE_ROWS];
 		lanes[0] = w == 2 ? CNI_FOUR_PICK(x, x, 0, 0, 1, 1) : CNI_FOUR_PICK(x, x, 0, 0, 0, 0);
@@ -312,8 +311,7 @@ CNI_INLINE int32_t solve(cni_sparse *s, const cni_component *c, int32_t w)
 		cni_four_store(nodes[k].x, x);
 		finite = cni_four_add(finite, cni_four_times(zero, x));
 	}
-	cni_four_store(sums, finite);
-	return sums[0] + sums[1] + sums[2] == 0.0f;
+	return cni_four_sum(finite) == 0.0f;
 }
 
 int32_t cni_sparse_solve(cni_sparse *s, const cni_component *c)
