@@ -26,6 +26,11 @@ static region region_of(const cni_sparse *s, const cni_component *c)
 	return r;
 }
 
+CNI_INLINE int32_t vectors_of(int32_t w)
+{
+	return w == 2 ? 1 : 3;
+}
+
 CNI_INLINE size_t block_floats(int32_t w)
 {
 	return w == 2 ? 4 : CNI_BLOCK_FLOATS;
@@ -43,17 +48,13 @@ CNI_INLINE float *pivot_at(const region *r, int32_t node, int32_t w)
 
 /* ---- the matrix ---- */
 
-/* Writes rows to a pivot or columns to a block, or adds them. */
-CNI_INLINE void block_set(float *block, const cni_four rows[CNI_NODE_ROWS], int32_t add, int32_t w)
+/* Vector i of a product of columns, a b^T: element i of a, times `scale`, times b. With two rows vector 0 has both. */
+CNI_INLINE cni_four outer(const float *a, float scale, const float *b, int32_t i, int32_t w)
 {
-	int32_t i;
-	if (w == 2) {
-		cni_four both = CNI_FOUR_PICK(rows[0], rows[1], 0, 1, 4, 5);
-		cni_four_store(block, add ? cni_four_add(cni_four_load(block), both) : both);
-		return;
-	}
-	for (i = 0; i < 3; ++i)
-		cni_four_store(block + 4 * i, add ? cni_four_add(cni_four_load(block + 4 * i), rows[i]) : rows[i]);
+	cni_four x = cni_four_load(a), y = cni_four_load(b);
+	if (w == 2)
+		return cni_four_times(CNI_FOUR_PICK(y, y, 0, 1, 0, 1), cni_four_scale(CNI_FOUR_PICK(x, x, 0, 0, 1, 1), scale));
+	return cni_four_scale(y, a[i] * scale);
 }
 
 CNI_INLINE int32_t diagonal_at(int32_t i, int32_t w)
@@ -66,16 +67,16 @@ CNI_INLINE void diagonal_form(cni_node *n, float *d, const cni_motion *motions, 
 {
 	const cni_motion *a = motions + n->ia, *b = motions + n->ib;
 	const cni_levers *l = &n->levers;
-	cni_four ax = cni_four_load(l->ax), ay = cni_four_load(l->ay), aw = cni_four_load(l->aw);
-	cni_four bx = cni_four_load(l->bx), by = cni_four_load(l->by), bw = cni_four_load(l->bw), rows[CNI_NODE_ROWS];
+	cni_four rows[CNI_NODE_ROWS];
 	int32_t i;
-	for (i = 0; i < w; ++i) {
-		cni_four sum = cni_four_scale(cni_four_add(cni_four_scale(ax, l->ax[i]), cni_four_scale(ay, l->ay[i])), a->inv_mass);
-		sum = cni_four_add(sum, cni_four_scale(aw, a->inv_inertia * l->aw[i]));
-		sum = cni_four_add(sum, cni_four_scale(cni_four_add(cni_four_scale(bx, l->bx[i]), cni_four_scale(by, l->by[i])), b->inv_mass));
-		rows[i] = cni_four_add(sum, cni_four_scale(bw, b->inv_inertia * l->bw[i]));
+	for (i = 0; i < vectors_of(w); ++i) {
+		cni_four sum = cni_four_scale(cni_four_add(outer(l->ax, 1.0f, l->ax, i, w), outer(l->ay, 1.0f, l->ay, i, w)), a->inv_mass);
+		sum = cni_four_add(sum, outer(l->aw, a->inv_inertia, l->aw, i, w));
+		sum = cni_four_add(sum, cni_four_scale(cni_four_add(outer(l->bx, 1.0f, l->bx, i, w), outer(l->by, 1.0f, l->by, i, w)), b->inv_mass));
+		rows[i] = cni_four_add(sum, outer(l->bw, b->inv_inertia, l->bw, i, w));
 	}
-	block_set(d, rows, 0, w);
+	for (i = 0; i < vectors_of(w); ++i)
+		cni_four_store(d + 4 * i, rows[i]);
 	d[w == 2 ? 2 : 4] += n->cross;
 	for (i = 0; i < w; ++i) {
 		float *x = &d[diagonal_at(i, w)];
@@ -89,15 +90,16 @@ CNI_INLINE void coupling_add(const cni_sparse *s, const cni_coupling *c, const c
 {
 	const cni_levers *high = &s->nodes[c->high].levers, *low = &s->nodes[c->low].levers;
 	const cni_motion *m = motions + (c->high_side ? s->nodes[c->high].ib : s->nodes[c->high].ia);
-	const float *x = c->low_side ? low->bx : low->ax, *y = c->low_side ? low->by : low->ay, *turn = c->low_side ? low->bw : low->aw;
-	cni_four hx = cni_four_load(c->high_side ? high->bx : high->ax), hy = cni_four_load(c->high_side ? high->by : high->ay);
-	cni_four hw = cni_four_load(c->high_side ? high->bw : high->aw), columns[CNI_NODE_ROWS];
+	const float *lx = c->low_side ? low->bx : low->ax, *ly = c->low_side ? low->by : low->ay, *lw = c->low_side ? low->bw : low->aw;
+	const float *hx = c->high_side ? high->bx : high->ax, *hy = c->high_side ? high->by : high->ay, *hw = c->high_side ? high->bw : high->aw;
+	cni_four columns[CNI_NODE_ROWS];
 	int32_t i;
-	for (i = 0; i < w; ++i) {
-		cni_four sum = cni_four_add(cni_four_scale(hx, x[i] * m->inv_mass), cni_four_scale(hy, y[i] * m->inv_mass));
-		columns[i] = cni_four_add(sum, cni_four_scale(hw, turn[i] * m->inv_inertia));
+	for (i = 0; i < vectors_of(w); ++i) {
+		cni_four sum = cni_four_add(outer(lx, m->inv_mass, hx, i, w), outer(ly, m->inv_mass, hy, i, w));
+		columns[i] = cni_four_add(sum, outer(lw, m->inv_inertia, hw, i, w));
 	}
-	block_set(block, columns, !first, w);
+	for (i = 0; i < vectors_of(w); ++i)
+		cni_four_store(block + 4 * i, first ? columns[i] : cni_four_add(cni_four_load(block + 4 * i), columns[i]));
 }
 
 /* ---- elimination ---- */
@@ -166,7 +168,7 @@ CNI_INLINE void blocks_update(float *target, const factor_elements *left, const 
 {
 	int32_t i, k;
 	for (k = 0; k < count; ++k, target += block_floats(w), right += block_floats(w))
-		for (i = 0; i < (int32_t)block_floats(w) / 4; ++i)
+		for (i = 0; i < vectors_of(w); ++i)
 			cni_four_store(target + 4 * i, cni_four_subtract(cni_four_load(target + 4 * i), vector_times(left, i, right, used, w)));
 }
 
@@ -222,8 +224,8 @@ CNI_INLINE void blocks_clear(const region *r, int32_t block, int32_t end, int32_
 {
 	int32_t i;
 	for (; block < end; ++block)
-		for (i = 0; i < (int32_t)block_floats(w); i += 4)
-			cni_four_store(block_at(r, block, w) + i, cni_four_all(0.0f));
+		for (i = 0; i < vectors_of(w); ++i)
+			cni_four_store(block_at(r, block, w) + 4 * i, cni_four_all(0.0f));
 }
 
 CNI_INLINE void factor(cni_sparse *s, const cni_component *c, const cni_motion *motions, int32_t w)
@@ -282,7 +284,6 @@ CNI_INLINE int32_t solve(cni_sparse *s, const cni_component *c, int32_t w)
 	cni_node *nodes = s->nodes;
 	const cni_four zero = cni_four_all(0.0f);
 	cni_four finite = zero; /* sum of 0 * x: stays 0 while all x are finite */
-	const int32_t vectors = w == 2 ? 1 : 3;
 	int32_t k, e, i;
 	for (k = c->begin; k < c->end; ++k) {
 		cni_four x = cni_four_load(nodes[k].x), lanes[CNI_NODE_ROWS];
@@ -293,7 +294,7 @@ CNI_INLINE int32_t solve(cni_sparse *s, const cni_component *c, int32_t w)
 			const float *block = block_at(&r, e, w);
 			float *y = nodes[s->below[e]].x;
 			cni_four sum = cni_four_times(cni_four_load(block), lanes[0]);
-			for (i = 1; i < vectors; ++i)
+			for (i = 1; i < vectors_of(w); ++i)
 				sum = cni_four_add(sum, cni_four_times(cni_four_load(block + 4 * i), lanes[i]));
 			sum = w == 2 ? cni_four_add(sum, CNI_FOUR_PICK(sum, sum, 2, 3, 2, 3)) : sum;
 			cni_four_store(y, cni_four_subtract(cni_four_load(y), sum));
@@ -301,10 +302,10 @@ CNI_INLINE int32_t solve(cni_sparse *s, const cni_component *c, int32_t w)
 	}
 	for (k = c->end - 1; k >= c->begin; --k) {
 		cni_four products[CNI_NODE_ROWS], x = cni_four_load(nodes[k].x);
-		for (i = 0; i < vectors; ++i)
+		for (i = 0; i < vectors_of(w); ++i)
 			products[i] = column_times(pivot_at(&r, k, w), i, x, w);
 		for (e = s->first[k]; e < s->first[k + 1]; ++e)
-			for (i = 0; i < vectors; ++i)
+			for (i = 0; i < vectors_of(w); ++i)
 				products[i] = cni_four_subtract(products[i], column_times(block_at(&r, e, w), i, cni_four_load(nodes[s->below[e]].x), w));
 		x = products_sum(products, w);
 		x = w == 2 ? CNI_FOUR_PICK(x, zero, 0, 1, 4, 4) : x;
