@@ -191,6 +191,8 @@ CNI_INLINE void node_eliminate(const cni_sparse *s, const region *r, int32_t k, 
 	float *d = pivot_at(r, k, w), scaled[CNI_BLOCK_FLOATS];
 	factor_elements pivot, left;
 	pivot_invert(d, s->nodes[k].diagonal, least, used, w);
+	if (s->first[k] == end)
+		return;
 	pivot = elements_of(d, used, w);
 	for (e = s->first[k]; e < end; ++e) {
 		int32_t m = s->below[e], at = s->first[m];
