@@ -149,8 +149,8 @@ static void move(cni_motion *m, cni_four change, float h, float part)
 	cni_four_store(&m->dpx, cni_four_add(cni_four_load(&m->dpx), cni_four_scale(change, h)));
 }
 
-/* Applies x of every node to positions over a time h, and a part of it (1 or 0) to velocities and impulses. */
-static void push_and_move(const rattle_step *g, float h, float part)
+/* Applies x of every node to positions, and a part of it (1 or 0) to velocities and impulses. */
+static void push_and_move(const rattle_step *g, float part)
 {
 	const cni_four zero = cni_four_all(0.0f);
 	int32_t k;
@@ -159,8 +159,8 @@ static void push_and_move(const rattle_step *g, float h, float part)
 		const cni_levers *l = &n->levers;
 		cni_motion *a = g->motions + n->ia, *b = g->motions + n->ib;
 		cni_four x = cni_four_load(n->x);
-		move(a, cni_lever_ends_push(l->ax, l->ay, l->aw, x, a, zero, CNI_NODE_ROWS), h, part);
-		move(b, cni_lever_ends_push(l->bx, l->by, l->bw, x, b, zero, CNI_NODE_ROWS), h, part);
+		move(a, cni_lever_ends_push(l->ax, l->ay, l->aw, x, a, zero, CNI_NODE_ROWS), g->h, part);
+		move(b, cni_lever_ends_push(l->bx, l->by, l->bw, x, b, zero, CNI_NODE_ROWS), g->h, part);
 		cni_four_store(n->total, cni_four_add(cni_four_load(n->total), cni_four_scale(x, part)));
 	}
 }
@@ -201,16 +201,21 @@ static void gaps_left_find(const rattle_step *g)
 			g->sparse->nodes[k].carried[i] = gap_left(g, constraint_of(g, k)->rows[i].error);
 }
 
-/* Applies a part of the impulses along the present levers and multiplies the impulses by `kept`. */
-static void impulses_push(const rattle_step *g, float part, float kept)
+static void push(const rattle_step *g, cni_node *n)
+{
+	cni_four_store(n->total, cni_four_add(cni_four_load(n->total), cni_four_load(n->x)));
+	cni_levers_push(&n->levers, n->x, g->motions + n->ia, g->motions + n->ib, CNI_NODE_ROWS);
+}
+
+/* Keeps this part of the impulses (1 or 0) and adds another along the present levers. */
+static void impulses_push(const rattle_step *g, float kept, float added)
 {
 	int32_t k;
 	for (k = g->c->begin; k < g->c->end; ++k) {
 		cni_node *n = &g->sparse->nodes[k];
-		cni_four impulses = cni_four_load(n->total);
-		cni_four_store(n->x, cni_four_scale(impulses, part));
-		cni_four_store(n->total, cni_four_scale(impulses, kept));
-		cni_levers_push(&n->levers, n->x, g->motions + n->ia, g->motions + n->ib, CNI_NODE_ROWS);
+		cni_four_store(n->x, cni_four_scale(cni_four_load(n->total), added));
+		cni_four_store(n->total, cni_four_scale(cni_four_load(n->total), kept));
+		push(g, n);
 	}
 }
 
@@ -222,7 +227,7 @@ static int32_t positions_close(const rattle_step *g)
 	for (round = 0; round < CNI_RATTLE_NEWTON_ROUNDS && (round == 0 || gap > g->closed); ++round) {
 		if (!cni_sparse_solve(g->sparse, g->c))
 			return BROKEN;
-		push_and_move(g, g->h, 1.0f);
+		push_and_move(g, 1.0f);
 		gap = gaps_find(g);
 	}
 	return gap <= CNI_RATTLE_FAILED_GAP * g->closed ? CLOSED_WELL : OPEN;
@@ -238,7 +243,8 @@ static int32_t velocities_close(const rattle_step *g)
 	}
 	if (!cni_sparse_solve(g->sparse, g->c))
 		return 0;
-	push_and_move(g, 0.0f, 1.0f);
+	for (k = g->c->begin; k < g->c->end; ++k)
+		push(g, &g->sparse->nodes[k]);
 	return 1;
 }
 
@@ -276,14 +282,14 @@ static int32_t substep(const rattle_step *g)
 {
 	int32_t closed;
 	gaps_left_find(g);
-	impulses_push(g, g->warm, g->warm);
+	impulses_push(g, 0.0f, g->warm);
 	kick(g);
 	drift(g);
 	closed = positions_close(g);
 	kick(g);
 	dampers_set(g);
 	cni_direct_refresh(g->world, g->sparse, g->c);
-	impulses_push(g, 2.0f * g->warm, 1.0f + 2.0f * g->warm);
+	impulses_push(g, 1.0f, 2.0f * g->warm);
 	return velocities_close(g) ? closed : BROKEN;
 }
 
@@ -301,7 +307,7 @@ static int32_t positions_project(const rattle_step *g)
 		(void)gaps_find(g);
 		if (!cni_sparse_solve(g->sparse, g->c))
 			return BROKEN;
-		push_and_move(g, g->h, 0.0f);
+		push_and_move(g, 0.0f);
 		gap = gaps_find(g);
 	}
 	return gap <= 2.0f * g->world->settings.accuracy ? CLOSED_WELL : OPEN;
