@@ -49,12 +49,12 @@ CNI_INLINE float *pivot_at(const region *r, int32_t node, int32_t w)
 /* ---- the matrix ---- */
 
 /* Vector i of a product of columns, a b^T: element i of a, times `scale`, times b. With two rows vector 0 has both. */
-CNI_INLINE cni_four outer(const float *a, float scale, const float *b, int32_t i, int32_t w)
+CNI_INLINE cni_four outer(const float *a, float scale, cni_four b, int32_t i, int32_t w)
 {
-	cni_four x = cni_four_load(a), y = cni_four_load(b);
+	cni_four x = cni_four_load(a);
 	if (w == 2)
-		return cni_four_times(CNI_FOUR_PICK(y, y, 0, 1, 0, 1), cni_four_scale(CNI_FOUR_PICK(x, x, 0, 0, 1, 1), scale));
-	return cni_four_scale(y, a[i] * scale);
+		return cni_four_times(CNI_FOUR_PICK(b, b, 0, 1, 0, 1), cni_four_scale(CNI_FOUR_PICK(x, x, 0, 0, 1, 1), scale));
+	return cni_four_scale(b, a[i] * scale);
 }
 
 CNI_INLINE int32_t diagonal_at(int32_t i, int32_t w)
@@ -67,13 +67,14 @@ CNI_INLINE void diagonal_form(cni_node *n, float *d, const cni_motion *motions, 
 {
 	const cni_motion *a = motions + n->ia, *b = motions + n->ib;
 	const cni_levers *l = &n->levers;
-	cni_four rows[CNI_NODE_ROWS];
+	cni_four ax = cni_four_load(l->ax), ay = cni_four_load(l->ay), aw = cni_four_load(l->aw);
+	cni_four bx = cni_four_load(l->bx), by = cni_four_load(l->by), bw = cni_four_load(l->bw), rows[CNI_NODE_ROWS];
 	int32_t i;
 	for (i = 0; i < vectors_of(w); ++i) {
-		cni_four sum = cni_four_scale(cni_four_add(outer(l->ax, 1.0f, l->ax, i, w), outer(l->ay, 1.0f, l->ay, i, w)), a->inv_mass);
-		sum = cni_four_add(sum, outer(l->aw, a->inv_inertia, l->aw, i, w));
-		sum = cni_four_add(sum, cni_four_scale(cni_four_add(outer(l->bx, 1.0f, l->bx, i, w), outer(l->by, 1.0f, l->by, i, w)), b->inv_mass));
-		rows[i] = cni_four_add(sum, outer(l->bw, b->inv_inertia, l->bw, i, w));
+		cni_four sum = cni_four_scale(cni_four_add(outer(l->ax, 1.0f, ax, i, w), outer(l->ay, 1.0f, ay, i, w)), a->inv_mass);
+		sum = cni_four_add(sum, outer(l->aw, a->inv_inertia, aw, i, w));
+		sum = cni_four_add(sum, cni_four_scale(cni_four_add(outer(l->bx, 1.0f, bx, i, w), outer(l->by, 1.0f, by, i, w)), b->inv_mass));
+		rows[i] = cni_four_add(sum, outer(l->bw, b->inv_inertia, bw, i, w));
 	}
 	for (i = 0; i < vectors_of(w); ++i)
 		cni_four_store(d + 4 * i, rows[i]);
@@ -91,13 +92,12 @@ CNI_INLINE void coupling_add(const cni_sparse *s, const cni_coupling *c, const c
 	const cni_levers *high = &s->nodes[c->high].levers, *low = &s->nodes[c->low].levers;
 	const cni_motion *m = motions + (c->high_side ? s->nodes[c->high].ib : s->nodes[c->high].ia);
 	const float *lx = c->low_side ? low->bx : low->ax, *ly = c->low_side ? low->by : low->ay, *lw = c->low_side ? low->bw : low->aw;
-	const float *hx = c->high_side ? high->bx : high->ax, *hy = c->high_side ? high->by : high->ay, *hw = c->high_side ? high->bw : high->aw;
-	cni_four columns[CNI_NODE_ROWS];
+	cni_four hx = cni_four_scale(cni_four_load(c->high_side ? high->bx : high->ax), m->inv_mass);
+	cni_four hy = cni_four_scale(cni_four_load(c->high_side ? high->by : high->ay), m->inv_mass);
+	cni_four hw = cni_four_scale(cni_four_load(c->high_side ? high->bw : high->aw), m->inv_inertia), columns[CNI_NODE_ROWS];
 	int32_t i;
-	for (i = 0; i < vectors_of(w); ++i) {
-		cni_four sum = cni_four_add(outer(lx, m->inv_mass, hx, i, w), outer(ly, m->inv_mass, hy, i, w));
-		columns[i] = cni_four_add(sum, outer(lw, m->inv_inertia, hw, i, w));
-	}
+	for (i = 0; i < vectors_of(w); ++i)
+		columns[i] = cni_four_add(cni_four_add(outer(lx, 1.0f, hx, i, w), outer(ly, 1.0f, hy, i, w)), outer(lw, 1.0f, hw, i, w));
 	for (i = 0; i < vectors_of(w); ++i)
 		cni_four_store(block + 4 * i, first ? columns[i] : cni_four_add(cni_four_load(block + 4 * i), columns[i]));
 }
