@@ -211,6 +211,14 @@ typedef struct pair {
 	cni_wide x, y;
 } pair;
 
+CNI_INLINE pair pivot_apply(const matrix *m, const pair *x)
+{
+	pair z;
+	z.x = m->m00 * x->x + m->m01 * x->y;
+	z.y = m->m10 * x->x + m->m11 * x->y;
+	return z;
+}
+
 /* Right side of a pin: minus its speed, and minus its gap at this rate. */
 CNI_INLINE pair right_side(const cni_joint_block *k, int32_t l, const side *a, const side *b, float rate, float most)
 {
@@ -240,21 +248,14 @@ CNI_INLINE cni_wide system_solve(const cni_tree_batch *batch, int32_t l, pair *x
 		}
 	}
 	for (k = batch->tree.nodes - 1; k >= 0; --k) {
-		matrix p = pivot_load(pivot_row(batch, k, l));
-		p.m00 *= x[k].x;
-		p.m01 *= x[k].y;
-		p.m10 *= x[k].x;
-		p.m11 *= x[k].y;
+		matrix pivot = pivot_load(pivot_row(batch, k, l));
+		x[k] = pivot_apply(&pivot, &x[k]);
 		for (e = batch->first[k]; e < batch->first[k + 1]; ++e) {
 			matrix m = block_load(block_row(batch, e - batch->block_first, l));
 			const pair *z = &x[batch->below[e] - batch->node_first];
-			p.m00 -= m.m00 * z->x;
-			p.m01 -= m.m10 * z->y;
-			p.m10 -= m.m01 * z->x;
-			p.m11 -= m.m11 * z->y;
+			x[k].x -= m.m00 * z->x + m.m10 * z->y;
+			x[k].y -= m.m01 * z->x + m.m11 * z->y;
 		}
-		x[k].x = p.m00 + p.m01;
-		x[k].y = p.m10 + p.m11;
 		finite += 0.0f * x[k].x;
 		finite += 0.0f * x[k].y;
 	}

@@ -143,24 +143,24 @@ static float gap_left(const rattle_step *g, float error)
 	return error - cni_clamp(CNI_RATTLE_CLOSING_RATE * error, -g->closing, g->closing);
 }
 
-static void move(cni_motion *m, cni_four change, float h, float part)
+static void move(cni_motion *m, const cni_changes *c, float h, float part)
 {
-	cni_four_store(&m->vx, cni_four_add(cni_four_load(&m->vx), cni_four_scale(change, part)));
-	cni_four_store(&m->dpx, cni_four_add(cni_four_load(&m->dpx), cni_four_scale(change, h)));
+	cni_changes_add(c, part, &m->vx, CNI_NODE_ROWS);
+	cni_changes_add(c, h, &m->dpx, CNI_NODE_ROWS);
 }
 
 /* Applies x of every node to positions, and a part of it (1 or 0) to velocities and impulses. */
 static void push_and_move(const rattle_step *g, float part)
 {
-	const cni_four zero = cni_four_all(0.0f);
 	int32_t k;
 	for (k = g->c->begin; k < g->c->end; ++k) {
 		cni_node *n = &g->sparse->nodes[k];
 		const cni_levers *l = &n->levers;
 		cni_motion *a = g->motions + n->ia, *b = g->motions + n->ib;
 		cni_four x = cni_four_load(n->x);
-		move(a, cni_lever_ends_push(l->ax, l->ay, l->aw, x, a, zero, CNI_NODE_ROWS), g->h, part);
-		move(b, cni_lever_ends_push(l->bx, l->by, l->bw, x, b, zero, CNI_NODE_ROWS), g->h, part);
+		const cni_changes of_a = cni_lever_ends_changes(l->ax, l->ay, l->aw, x, a), of_b = cni_lever_ends_changes(l->bx, l->by, l->bw, x, b);
+		move(a, &of_a, g->h, part);
+		move(b, &of_b, g->h, part);
 		cni_four_store(n->total, cni_four_add(cni_four_load(n->total), cni_four_scale(x, part)));
 	}
 }

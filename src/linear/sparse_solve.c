@@ -265,18 +265,17 @@ void cni_sparse_factor(cni_sparse *s, const cni_component *c, const cni_motion *
 
 /* ---- solution ---- */
 
-/* Sums the lanes of the products of a block's columns: the lanes of block^T y. */
-CNI_INLINE cni_four products_sum(cni_four p[CNI_NODE_ROWS], int32_t w)
+/* block^T y: its columns times y. */
+CNI_INLINE cni_four columns_apply(const float *block, cni_four y, int32_t w)
 {
+	cni_four p[CNI_NODE_ROWS];
+	int32_t i;
+	for (i = 0; i < vectors_of(w); ++i)
+		p[i] = cni_four_times(cni_four_load(block + 4 * i), w == 2 ? CNI_FOUR_PICK(y, y, 0, 1, 0, 1) : y);
 	if (w == 2)
 		return cni_four_add(CNI_FOUR_PICK(p[0], p[0], 0, 2, 0, 2), CNI_FOUR_PICK(p[0], p[0], 1, 3, 1, 3));
 	cni_four_columns(&p[0], &p[1], &p[2]);
 	return cni_four_add(cni_four_add(p[0], p[1]), p[2]);
-}
-
-CNI_INLINE cni_four column_times(const float *block, int32_t i, cni_four y, int32_t w)
-{
-	return cni_four_times(cni_four_load(block + 4 * i), w == 2 ? CNI_FOUR_PICK(y, y, 0, 1, 0, 1) : y);
 }
 
 /* Solves L D L^T x = b: pivots are the inverse of D. */
@@ -303,13 +302,9 @@ CNI_INLINE int32_t solve(cni_sparse *s, const cni_component *c, int32_t w)
 		}
 	}
 	for (k = c->end - 1; k >= c->begin; --k) {
-		cni_four products[CNI_NODE_ROWS], x = cni_four_load(nodes[k].x);
-		for (i = 0; i < vectors_of(w); ++i)
-			products[i] = column_times(pivot_at(&r, k, w), i, x, w);
+		cni_four x = columns_apply(pivot_at(&r, k, w), cni_four_load(nodes[k].x), w);
 		for (e = s->first[k]; e < s->first[k + 1]; ++e)
-			for (i = 0; i < vectors_of(w); ++i)
-				products[i] = cni_four_subtract(products[i], column_times(block_at(&r, e, w), i, cni_four_load(nodes[s->below[e]].x), w));
-		x = products_sum(products, w);
+			x = cni_four_subtract(x, columns_apply(block_at(&r, e, w), cni_four_load(nodes[s->below[e]].x), w));
 		x = w == 2 ? CNI_FOUR_PICK(x, zero, 0, 1, 4, 4) : x;
 		cni_four_store(nodes[k].x, x);
 		finite = cni_four_add(finite, cni_four_times(zero, x));
