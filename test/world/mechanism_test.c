@@ -2,7 +2,7 @@
  * test/world/mechanism_test.c - joints that are solved directly never do worse than soft ones: whips, even and uneven
  * steps, motors and limits behind heavy linkages, loops that say much twice.
  *
- * If a test here fails, run world/direct first. Then look in: direct/rattle.c (chains: energy, projection),
+ * If a test here fails, run world/direct first. Then look in: direct/rattle.c (chains: energy, projection, retries),
  * direct/active_rows.c (motors, limits), direct/direct_joints.c (nets: the check of a solution).
  */
 #include "direct.h"
