@@ -21,24 +21,20 @@ static int32_t set_change(const cn_world *world, const cni_solve *s, cni_sparse 
 {
 	const cni_motion *motions = cni_motions(world);
 	int32_t k, changed = 0;
-	for (k = c->begin; k < c->end; ++k) {
+	for (k = c->active_first; k != CNI_NONE; k = sparse->nodes[k].next_active) {
 		cni_node *n = &sparse->nodes[k];
 		cni_row *r = cni_active_row(world, n);
-		float least, most;
-		if (r == NULL)
-			continue;
-		least = impulse_least(r, s);
-		most = cni_active_impulse_most(r, s);
+		float least = impulse_least(r, s), most = cni_active_impulse_most(r, s);
 		if (n->active & CNI_ROW_IN_SET) {
 			if (r->impulse >= least && r->impulse <= most)
 				continue;
-			n->active = CNI_ROW_CHOSEN | (r->impulse > most ? CNI_ROW_AT_UPPER : 0u);
+			n->active = r->impulse > most ? CNI_ROW_AT_UPPER : 0u;
 			row_set_impulse(world, n, r, cni_clamp(r->impulse, least, most));
 		} else {
 			float missing = n->target - cni_row_speed(r, motions + n->ia, motions + n->ib);
 			if (n->active & CNI_ROW_AT_UPPER ? missing >= 0.0f : missing <= 0.0f)
 				continue;
-			n->active = CNI_ROW_CHOSEN | CNI_ROW_IN_SET;
+			n->active = CNI_ROW_IN_SET;
 		}
 		changed = 1;
 	}
@@ -48,12 +44,9 @@ static int32_t set_change(const cn_world *world, const cni_solve *s, cni_sparse 
 static void impulses_add(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
 	int32_t k;
-	for (k = c->begin; k < c->end; ++k) {
-		const cni_node *n = &sparse->nodes[k];
-		cni_row *r = cni_active_row(world, n);
-		if (r != NULL && (n->active & CNI_ROW_IN_SET))
-			r->impulse += n->x[2];
-	}
+	for (k = c->active_first; k != CNI_NONE; k = sparse->nodes[k].next_active)
+		if (sparse->nodes[k].active & CNI_ROW_IN_SET)
+			cni_active_row(world, &sparse->nodes[k])->impulse += sparse->nodes[k].x[2];
 }
 
 /* Right sides of the changed set, from those of the last (carried) and the speeds of then (total; first 1) or the target speeds. */
@@ -63,14 +56,13 @@ static void sides_renew(const cn_world *world, cni_sparse *sparse, const cni_com
 	int32_t k, i;
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
-		const cni_row *r = cni_active_row(world, n);
 		float speed[CNI_NODE_LANES];
 		cni_four_store(speed, cni_levers_speed(&n->levers, motions + n->ia, motions + n->ib));
 		for (i = 0; i < CNI_NODE_ROWS; ++i) {
 			n->total[i] = i >= n->rows ? 0.0f : first ? n->carried[i] + n->total[i] : n->total[i];
 			n->x[i] = n->total[i] - speed[i];
 		}
-		if (r != NULL && (n->active & CNI_ROW_IN_SET))
+		if (n->active & CNI_ROW_IN_SET)
 			n->x[2] += n->target;
 	}
 }

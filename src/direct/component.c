@@ -108,7 +108,7 @@ void cni_direct_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, c
 void cni_direct_system(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c)
 {
 	if (c->active)
-		cni_active_clear(world, sparse, c);
+		cni_active_clear(sparse, c);
 	cni_geometric_stiffness_damp(world, sparse, c, s->h);
 	c->joints = levers_read(world, sparse, c, CNI_JOINT_ERROR_RATE * s->inv_h, s->push_speed);
 	if (c->active)

@@ -41,6 +41,7 @@ typedef struct cni_node {
 	float carried[CNI_NODE_LANES];     /* impulses at the begin of a pass */
 	float total[CNI_NODE_LANES];       /* sum of the solutions so far, where there are several; without contacts: speeds of the rows, then targets */
 	float target;                      /* ... target speed of the third row: direct/active_rows.c */
+	int32_t next_active;               /* ... the next node with a motor or limit, CNI_NONE */
 } cni_node;
 
 /* A node before planning: its bodies (dense indices, 0: static or the world) and its number of rows. */
@@ -78,6 +79,7 @@ typedef struct cni_component {
 	int32_t factored;              /* ... 1: the pivots belong to the present levers */
 	int32_t joints;                /* number of nodes that are joints: direct/direct_joints.c */
 	int32_t active;                /* 1: the active set has limits, 2: also motors: direct/active_rows.c */
+	int32_t active_first;          /* ... its first node, in ascending order */
 	int32_t damps;                 /* 1: its pins may have dampers or locks in this step: direct/geometric_stiffness.c */
 	int32_t kind;                  /* topology class or CNI_NONE: linear/topology_class.c */
 	int32_t batches;                 /* 1: solved side by side with others of its class: direct/batched_trees.c */
