@@ -15,6 +15,7 @@ typedef float cni_four __attribute__((vector_size(16)));
 typedef float cni_four_loose __attribute__((vector_size(16), aligned(4), may_alias));
 
 CNI_INLINE cni_four cni_four_of(float x, float y, float z, float w) { return (cni_four){ x, y, z, w }; }
+CNI_INLINE cni_four cni_four_all(float x) { return (cni_four){ x, x, x, x }; }
 CNI_INLINE cni_four cni_four_load(const float *p) { return *(const cni_four_loose *)(const void *)p; }
 CNI_INLINE void cni_four_store(float *p, cni_four a) { *(cni_four_loose *)(void *)p = a; }
 CNI_INLINE cni_four cni_four_add(cni_four a, cni_four b) { return a + b; }
@@ -38,6 +39,7 @@ typedef struct cni_four {
 	return out
 
 CNI_INLINE cni_four cni_four_of(float x, float y, float z, float w) { return (cni_four){ { x, y, z, w } }; }
+CNI_INLINE cni_four cni_four_all(float x) { CNI_FOUR_LANES(x); }
 CNI_INLINE cni_four cni_four_load(const float *p) { CNI_FOUR_LANES(p[l]); }
 CNI_INLINE void cni_four_store(float *p, cni_four a) { memcpy(p, a.lane, sizeof a.lane); }
 CNI_INLINE cni_four cni_four_add(cni_four a, cni_four b) { CNI_FOUR_LANES(a.lane[l] + b.lane[l]); }
@@ -56,6 +58,13 @@ CNI_INLINE cni_four cni_four_pick(cni_four a, cni_four b, int32_t i, int32_t k, 
 #define CNI_FOUR_PICK(a, b, i, k, l, m) cni_four_pick(a, b, i, k, l, m)
 
 #endif
+
+CNI_INLINE float cni_four_sum(cni_four a)
+{
+	float lane[4];
+	cni_four_store(lane, a);
+	return lane[0] + lane[1] + lane[2] + lane[3];
+}
 
 /* The first three columns of the matrix with rows a, b, c, as vectors whose last lane is that of the row c. */
 CNI_INLINE void cni_four_columns(cni_four *a, cni_four *b, cni_four *c)

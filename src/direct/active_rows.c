@@ -61,9 +61,9 @@ static uint32_t state_begin(const cni_row *r, const cni_solve *s)
 	return impulse > 0.0f ? CNI_ROW_AT_UPPER : 0;
 }
 
-int32_t cni_active_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c)
+int32_t cni_active_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c)
 {
-	int32_t k, found = 0;
+	int32_t k, found = 0, *last = &c->active_first;
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
 		cni_joint_constraint *w = n->owner >= 0 ? &cni_joint_constraints(world)[n->owner] : NULL;
@@ -74,29 +74,30 @@ int32_t cni_active_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse
 		w->active_row = row;
 		n->active = state_begin(&w->rows[row], s);
 		found = cni_max_i(found, w->rows[row].kind == CNI_ROW_MOTOR ? 2 : 1);
+		*last = k;
+		last = &n->next_active;
 	}
+	*last = CNI_NONE;
 	return found;
 }
 
 /* ---- the system ---- */
 
-void cni_active_clear(const cn_world *world, cni_sparse *sparse, const cni_component *c)
+void cni_active_clear(cni_sparse *sparse, const cni_component *c)
 {
 	int32_t k;
-	for (k = c->begin; k < c->end; ++k)
-		if (cni_active_row(world, &sparse->nodes[k]) != NULL)
-			cni_levers_clear(&sparse->nodes[k].levers, 2);
+	for (k = c->active_first; k != CNI_NONE; k = sparse->nodes[k].next_active)
+		cni_levers_clear(&sparse->nodes[k].levers, 2);
 }
 
 void cni_active_levers(const cn_world *world, cni_sparse *sparse, const cni_component *c)
 {
 	int32_t k;
-	for (k = c->begin; k < c->end; ++k) {
+	for (k = c->active_first; k != CNI_NONE; k = sparse->nodes[k].next_active) {
 		cni_node *n = &sparse->nodes[k];
-		const cni_row *r = cni_active_row(world, n);
-		if (r == NULL || !(n->active & CNI_ROW_IN_SET))
+		if (!(n->active & CNI_ROW_IN_SET))
 			continue;
-		cni_levers_set(&n->levers, 2, cni_row_lever(r));
+		cni_levers_set(&n->levers, 2, cni_row_lever(cni_active_row(world, n)));
 		n->compliance[2] = 0.0f;
 	}
 }
@@ -105,11 +106,9 @@ void cni_active_right_sides(const cn_world *world, const cni_solve *s, cni_spars
 {
 	const cni_motion *motions = cni_motions(world);
 	int32_t k;
-	for (k = c->begin; k < c->end; ++k) {
+	for (k = c->active_first; k != CNI_NONE; k = sparse->nodes[k].next_active) {
 		cni_node *n = &sparse->nodes[k];
 		const cni_row *r = cni_active_row(world, n);
-		if (r == NULL)
-			continue;
 		n->target = target_speed(r, s, bias);
 		if (n->active & CNI_ROW_IN_SET)
 			n->x[2] = n->target - cni_row_speed(r, motions + n->ia, motions + n->ib);

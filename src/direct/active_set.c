@@ -21,24 +21,18 @@ static int32_t set_change(const cn_world *world, const cni_solve *s, cni_sparse 
 {
 	const cni_motion *motions = cni_motions(world);
 	int32_t k, changed = 0;
-	for (k = c->begin; k < c->end; ++k) {
+	for (k = c->active_first; k != CNI_NONE; k = sparse->nodes[k].next_active) {
 		cni_node *n = &sparse->nodes[k];
 		cni_row *r = cni_active_row(world, n);
-		float least, most;
-		if (r == NULL)
-			continue;
-		least = impulse_least(r, s);
-		most = cni_active_impulse_most(r, s);
+		float least = impulse_least(r, s), most = cni_active_impulse_most(r, s);
 		if (n->active & CNI_ROW_IN_SET) {
 			if (r->impulse >= least && r->impulse <= most)
 				continue;
-			n->active = r->impulse > most ? CNI_ROW_AT_UPPER : 0;
+			n->active = r->impulse > most ? CNI_ROW_AT_UPPER : 0u;
 			row_set_impulse(world, n, r, cni_clamp(r->impulse, least, most));
 		} else {
 			float missing = n->target - cni_row_speed(r, motions + n->ia, motions + n->ib);
-			if (n->active & CNI_ROW_AT_UPPER ? missing >= 0.0f : missing <= 0.0f && r->kind == CNI_ROW_MOTOR)
-				continue;
-			if (r->kind == CNI_ROW_LIMIT && missing <= 0.0f)
+			if (n->active & CNI_ROW_AT_UPPER ? missing >= 0.0f : missing <= 0.0f)
 				continue;
 			n->active = CNI_ROW_IN_SET;
 		}
@@ -50,33 +44,25 @@ static int32_t set_change(const cn_world *world, const cni_solve *s, cni_sparse 
 static void impulses_add(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
 	int32_t k;
-	for (k = c->begin; k < c->end; ++k) {
-		const cni_node *n = &sparse->nodes[k];
-		cni_row *r = cni_active_row(world, n);
-		if (r != NULL && (n->active & CNI_ROW_IN_SET))
-			r->impulse += n->x[2];
-	}
+	for (k = c->active_first; k != CNI_NONE; k = sparse->nodes[k].next_active)
+		if (sparse->nodes[k].active & CNI_ROW_IN_SET)
+			cni_active_row(world, &sparse->nodes[k])->impulse += sparse->nodes[k].x[2];
 }
 
-/* Stores right sides as target speeds (back 0), or computes right sides from the target speeds and the present velocities (back 1). */
-static void sides_convert(const cn_world *world, cni_sparse *sparse, const cni_component *c, int32_t back)
+/* Right sides of the changed set, from those of the last (carried) and the speeds of then (total; first 1) or the target speeds. */
+static void sides_renew(const cn_world *world, cni_sparse *sparse, const cni_component *c, int32_t first)
 {
 	const cni_motion *motions = cni_motions(world);
 	int32_t k, i;
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
-		const cni_row *r = cni_active_row(world, n);
 		float speed[CNI_NODE_LANES];
 		cni_four_store(speed, cni_levers_speed(&n->levers, motions + n->ia, motions + n->ib));
-		for (i = 0; i < n->rows; ++i) {
-			if (back)
-				n->x[i] = n->total[i] - speed[i];
-			else
-				n->total[i] = n->x[i] + speed[i];
+		for (i = 0; i < CNI_NODE_ROWS; ++i) {
+			n->total[i] = i >= n->rows ? 0.0f : first ? n->carried[i] + n->total[i] : n->total[i];
+			n->x[i] = n->total[i] - speed[i];
 		}
-		for (; back && i < CNI_NODE_ROWS; ++i)
-			n->x[i] = -speed[i];
-		if (back && r != NULL && (n->active & CNI_ROW_IN_SET))
+		if (n->active & CNI_ROW_IN_SET)
 			n->x[2] += n->target;
 	}
 }
@@ -84,7 +70,6 @@ static void sides_convert(const cn_world *world, cni_sparse *sparse, const cni_c
 int32_t cni_active_solve(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c)
 {
 	int32_t round;
-	sides_convert(world, sparse, c, 0);
 	for (round = 0;; ++round) {
 		if (!cni_direct_apply(world, sparse, c))
 			return 0;
@@ -92,7 +77,7 @@ int32_t cni_active_solve(cn_world *world, const cni_solve *s, cni_sparse *sparse
 		if (round == CNI_JOINT_SET_ROUNDS || !set_change(world, s, sparse, c))
 			return 1;
 		cni_direct_system(world, s, sparse, c);
-		sides_convert(world, sparse, c, 1);
+		sides_renew(world, sparse, c, round == 0);
 	}
 }
 

@@ -67,8 +67,9 @@ void cni_component_suspend(cn_world *world, cni_sparse *sparse, cni_component *c
 	cni_component_release(world, sparse, c);
 }
 
-/* Reads the joints' levers from their rows. Returns the number of joints. */
-static int32_t levers_read(const cn_world *world, cni_sparse *sparse, const cni_component *c)
+/* Reads the joints' levers from their rows, and the speeds, at most `push`, that correct their errors at this rate. Returns the number of
+   joints. */
+static int32_t levers_read(const cn_world *world, cni_sparse *sparse, const cni_component *c, float rate, float push)
 {
 	int32_t k, i, joints = 0;
 	for (k = c->begin; k < c->end; ++k) {
@@ -78,15 +79,17 @@ static int32_t levers_read(const cn_world *world, cni_sparse *sparse, const cni_
 			continue;
 		++joints;
 		rows = cni_joint_constraints(world)[n->owner].rows;
-		for (i = 0; i < n->rows; ++i)
+		for (i = 0; i < n->rows; ++i) {
 			cni_levers_set(&n->levers, i, cni_row_lever(&rows[i]));
+			n->closing[i] = cni_clamp(rate * rows[i].error, -push, push);
+		}
 	}
 	return joints;
 }
 
 void cni_direct_refresh(cn_world *world, cni_sparse *sparse, const cni_component *c)
 {
-	(void)levers_read(world, sparse, c);
+	(void)levers_read(world, sparse, c, 0.0f, 0.0f);
 	cni_sparse_factor(sparse, c, cni_motions(world));
 }
 
@@ -95,19 +98,19 @@ void cni_direct_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, c
 	cni_joint_constraints_complete(world, sparse, c);
 	cni_sparse_clear(sparse, c);
 	cni_direct_rotations(world, sparse, c);
-	cni_geometric_stiffness_find(world, sparse, c, s->h);
 	c->active = c->has_contacts || c->kind != CNI_NONE || !CNI_ON(ACTIVE_ROWS) ? 0 : cni_active_begin(world, s, sparse, c);
-	if (c->active || cni_geometric_stiffness_needs_dampers(world, sparse, c, s->h))
+	if (c->active)
 		c->width = CNI_NODE_ROWS;
+	cni_geometric_stiffness_begin(world, sparse, c, s->h);
 	cni_direct_system(world, s, sparse, c);
 }
 
 void cni_direct_system(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c)
 {
 	if (c->active)
-		cni_active_clear(world, sparse, c);
+		cni_active_clear(sparse, c);
 	cni_geometric_stiffness_damp(world, sparse, c, s->h);
-	c->joints = levers_read(world, sparse, c);
+	c->joints = levers_read(world, sparse, c, CNI_JOINT_ERROR_RATE * s->inv_h, s->push_speed);
 	if (c->active)
 		cni_active_levers(world, sparse, c);
 	if (c->has_contacts)
@@ -116,7 +119,6 @@ void cni_direct_system(cn_world *world, const cni_solve *s, cni_sparse *sparse, 
 		cni_sparse_factor(sparse, c, cni_motions(world));
 }
 
-/* Reads and writes each body once: a node's two bodies differ. */
 CNI_INLINE void nodes_push(cn_world *world, const cni_sparse *sparse, const cni_component *c, int32_t width)
 {
 	cni_motion *motions = cni_motions(world);
@@ -124,14 +126,11 @@ CNI_INLINE void nodes_push(cn_world *world, const cni_sparse *sparse, const cni_
 	int32_t k, i;
 	for (k = c->begin; k < c->end; ++k) {
 		const cni_node *n = &sparse->nodes[k];
-		cni_motion a = motions[n->ia], b = motions[n->ib];
 		if (n->owner < 0)
 			continue;
 		for (i = 0; i < n->rows; ++i)
 			constraints[n->owner].rows[i].impulse += n->x[i];
-		cni_levers_push(&n->levers, n->x, &a, &b, width);
-		motions[n->ia] = a;
-		motions[n->ib] = b;
+		cni_levers_push(&n->levers, n->x, motions + n->ia, motions + n->ib, width);
 	}
 }
 
@@ -143,28 +142,17 @@ void cni_direct_push(cn_world *world, const cni_sparse *sparse, const cni_compon
 		nodes_push(world, sparse, c, CNI_NODE_ROWS);
 }
 
-CNI_INLINE void speeds_read(const cn_world *world, cni_sparse *sparse, const cni_component *c, float rate, float push, int32_t width)
+static void right_sides(const cn_world *world, cni_sparse *sparse, const cni_component *c, float part)
 {
 	const cni_motion *motions = cni_motions(world);
-	const cni_joint_constraint *constraints = cni_joint_constraints(world);
-	int32_t k, i;
+	const cni_four zero = cni_four_all(0.0f);
+	int32_t k;
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
-		float speed[CNI_NODE_LANES];
-		if (n->owner < 0)
-			continue;
-		cni_four_store(speed, cni_levers_speed(&n->levers, motions + n->ia, motions + n->ib));
-		for (i = 0; i < width; ++i)
-			n->x[i] = -speed[i] - (i < n->rows ? cni_clamp(rate * constraints[n->owner].rows[i].error, -push, push) : 0.0f);
+		cni_four speed = cni_levers_speed(&n->levers, motions + n->ia, motions + n->ib);
+		cni_four_store(n->total, speed);
+		cni_four_store(n->x, cni_four_subtract(cni_four_subtract(zero, speed), cni_four_scale(cni_four_load(n->closing), part)));
 	}
-}
-
-static void right_sides(const cn_world *world, cni_sparse *sparse, const cni_component *c, float rate, float push)
-{
-	if (c->width == 2)
-		speeds_read(world, sparse, c, rate, push, 2);
-	else
-		speeds_read(world, sparse, c, rate, push, CNI_NODE_ROWS);
 }
 
 /*
@@ -174,15 +162,12 @@ static void right_sides(const cn_world *world, cni_sparse *sparse, const cni_com
  */
 static void leaks_add(const cn_world *world, cni_sparse *sparse, const cni_component *c)
 {
-	const cni_motion *motions = cni_motions(world);
 	const cni_joint_constraint *constraints = cni_joint_constraints(world);
 	int32_t k, i;
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
-		for (i = 0; i < n->rows && n->owner >= 0; ++i) {
-			cni_lever l = cni_levers_row(&n->levers, i);
-			n->x[i] -= CNI_DIRECT_LEAK * cni_lever_inverse_mass(&l, motions + n->ia, motions + n->ib) * constraints[n->owner].rows[i].impulse;
-		}
+		for (i = 0; i < n->rows && n->owner >= 0; ++i)
+			n->x[i] -= CNI_DIRECT_LEAK * n->diagonal[i] * constraints[n->owner].rows[i].impulse;
 	}
 }
 
@@ -216,22 +201,26 @@ static float inverse_or_zero(float x)
  */
 static int32_t is_bounded(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
-	float bound = 0.0f, gain = 0.0f, all = 0.0f, push = 0.0f;
-	int32_t k, i;
+	const float fastest = world->settings.push_speed_max;
+	cni_four work = cni_four_all(0.0f), change = work, before = work;
+	float push = 0.0f, gain, all;
+	int32_t k;
 	for (k = c->begin; k < c->end; ++k)
-		for (i = 0; i < c->width; ++i)
-			bound += sparse->nodes[k].carried[i] * sparse->nodes[k].x[i];
+		work = cni_four_add(work, cni_four_times(cni_four_load(sparse->nodes[k].carried), cni_four_load(sparse->nodes[k].x)));
 	for (k = c->body_begin; k < c->body_end; ++k) {
-		const cni_motion *m = cni_motions(world) + sparse->bodies[k], *old = sparse->saved + k;
-		float mass = inverse_or_zero(m->inv_mass), inertia = inverse_or_zero(m->inv_inertia);
-		float vx = m->vx - old->vx, vy = m->vy - old->vy, w = m->w - old->w;
-		gain += mass * (vx * vx + vy * vy) + inertia * w * w;
-		all += mass * (old->vx * old->vx + old->vy * old->vy) + inertia * old->w * old->w;
-		push += mass * world->settings.push_speed_max * world->settings.push_speed_max;
+		const cni_motion *m = cni_motions(world) + sparse->bodies[k];
+		float mass = inverse_or_zero(m->inv_mass);
+		cni_four masses = cni_four_of(mass, mass, inverse_or_zero(m->inv_inertia), 0.0f), old = cni_four_load(&sparse->saved[k].vx);
+		cni_four v = cni_four_subtract(cni_four_load(&m->vx), old);
+		change = cni_four_add(change, cni_four_times(cni_four_times(v, v), masses));
+		before = cni_four_add(before, cni_four_times(cni_four_times(old, old), masses));
+		push += mass * fastest * fastest;
 	}
+	gain = cni_four_sum(change);
+	all = cni_four_sum(before);
 	if (c->active < 2 && !(gain <= 2.0f * (all + push))) /* (a + b)^2 <= 2 (a^2 + b^2) */
 		return 0;
-	return gain <= 1.1f * bound + 1e-6f * all; /* false for NaN */
+	return gain <= 1.1f * cni_four_sum(work) + 1e-6f * all; /* false for NaN */
 }
 
 /* The next substep begins without the impulses of dampers and locks: they act against the motion of one substep and are no loads. */
@@ -240,9 +229,9 @@ static void dampers_forget(cn_world *world, const cni_sparse *sparse, const cni_
 	const cni_motion *motions = cni_motions(world);
 	cni_velocity_start *starts = cni_starts(world);
 	int32_t k;
-	for (k = c->begin; k < c->end && c->width == CNI_NODE_ROWS; ++k) {
+	for (k = c->begin; k < c->end && c->damps; ++k) {
 		const cni_node *n = &sparse->nodes[k];
-		if (n->rows != 2 || n->owner < 0 || (n->active & CNI_ROW_IN_SET))
+		if (n->x[2] == 0.0f || n->rows != 2 || n->owner < 0 || (n->active & CNI_ROW_IN_SET))
 			continue;
 		starts[n->ia].w += motions[n->ia].inv_inertia * n->levers.aw[2] * n->x[2];
 		starts[n->ib].w += motions[n->ib].inv_inertia * n->levers.bw[2] * n->x[2];
@@ -253,6 +242,8 @@ static void dampers_forget(cn_world *world, const cni_sparse *sparse, const cni_
    larger diagonal, which the component keeps for this step. */
 int32_t cni_direct_apply(cn_world *world, cni_sparse *sparse, cni_component *c)
 {
+	if (c->loops || c->active)
+		sides_save(sparse, c, 0);
 	if (!c->loops) {
 		if (!cni_sparse_solve(sparse, c))
 			return 0;
@@ -260,7 +251,6 @@ int32_t cni_direct_apply(cn_world *world, cni_sparse *sparse, cni_component *c)
 		dampers_forget(world, sparse, c);
 		return 1;
 	}
-	sides_save(sparse, c, 0);
 	for (;;) {
 		cni_direct_motions_save(world, sparse, c, 0);
 		if (cni_sparse_solve(sparse, c)) {
@@ -282,7 +272,7 @@ int32_t cni_direct_apply(cn_world *world, cni_sparse *sparse, cni_component *c)
 
 void cni_direct_right_sides(cn_world *world, const cni_solve *s, const cni_component *c, int32_t bias)
 {
-	right_sides(world, s->direct, c, bias ? CNI_JOINT_ERROR_RATE * s->inv_h : 0.0f, s->push_speed);
+	right_sides(world, s->direct, c, bias ? 1.0f : 0.0f);
 	if (bias && c->loops && !c->has_contacts)
 		leaks_add(world, s->direct, c);
 	if (c->active)

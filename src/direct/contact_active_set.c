@@ -192,16 +192,14 @@ static float prescribed_speed(const cni_direct_contact_pass *q, const cni_direct
 static float right_sides(const cni_direct_contact_pass *q)
 {
 	float largest = 0.0f;
-	const float rate = q->bias ? CNI_JOINT_ERROR_RATE * q->s->inv_h : 0.0f;
 	int32_t k, i;
 	for (k = q->c->begin; k < q->c->end; ++k) {
 		cni_node *n = &q->sparse->nodes[k];
 		const cni_direct_contact *p = cni_direct_contact_of(q->sparse, n);
-		const cni_row *rows = p == NULL ? cni_joint_constraints(q->world)[n->owner].rows : NULL;
 		float speed[CNI_NODE_LANES];
 		cni_four_store(speed, cni_levers_speed(&n->levers, q->motions + n->ia, q->motions + n->ib));
 		for (i = 0; i < CNI_NODE_ROWS; ++i) {
-			float more = p != NULL ? prescribed_speed(q, p, i) : i < n->rows ? cni_clamp(rate * rows[i].error, -q->s->push_speed, q->s->push_speed) : 0.0f;
+			float more = p != NULL ? prescribed_speed(q, p, i) : q->bias ? n->closing[i] : 0.0f;
 			n->x[i] = -speed[i] - more;
 			largest = cni_max(largest, cni_abs(n->x[i]));
 		}

@@ -195,7 +195,8 @@ static void joints_solve(cn_world *world, const cni_solve *s, cni_component *c, 
 /* The system at the new rotations. */
 static void component_refresh(cn_world *world, const cni_solve *s, cni_component *c)
 {
-	cni_direct_rotations(world, s->direct, c);
+	if (c->damps)
+		cni_direct_rotations(world, s->direct, c);
 	cni_direct_system(world, s, s->direct, c);
 }
 

@@ -59,23 +59,23 @@ void cni_projection_mark(const cn_world *world, cni_sparse *sparse);
 
 /* ---- motors and limits in the system: direct/active_rows.c ---- */
 
-/* Bits of a node's `active`. */
+/* Bits of the `active` of a joint's node. */
 enum { CNI_ROW_IN_SET = 1u, CNI_ROW_AT_UPPER = 2u };
 
-/* The motor or limit row that is the third row of a node, or NULL. */
+/* The motor or limit row that is the third row of a node in the component's list. */
 static inline cni_row *cni_active_row(const cn_world *world, const cni_node *n)
 {
-	cni_joint_constraint *w = n->owner >= 0 ? &cni_joint_constraints(world)[n->owner] : NULL;
-	return w != NULL && w->active_row > 0 ? &w->rows[w->active_row] : NULL;
+	const cni_joint_constraint *w = cni_joint_constraints(world) + n->owner;
+	return &w->rows[w->active_row];
 }
 static inline float cni_active_impulse_most(const cni_row *r, const cni_solve *s)
 {
 	return r->kind == CNI_ROW_MOTOR ? r->limit * s->h : FLT_MAX;
 }
 /* Selects the motor and limit rows; their joint constraints leave the lanes. Returns 0 for none, 1 for limits only, 2 with motors. */
-int32_t cni_active_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c);
+int32_t cni_active_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c);
 /* Clears the third levers of nodes with a motor or limit, before the dampers are set; cni_active_levers sets those in the active set. */
-void cni_active_clear(const cn_world *world, cni_sparse *sparse, const cni_component *c);
+void cni_active_clear(cni_sparse *sparse, const cni_component *c);
 void cni_active_levers(const cn_world *world, cni_sparse *sparse, const cni_component *c);
 /* Their right sides, after those of the rigid rows. */
 void cni_active_right_sides(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c, int32_t bias);
@@ -108,7 +108,9 @@ float cni_geometric_stiffness_rods(const cn_world *world, cni_sparse *sparse, co
 float cni_geometric_stiffness_largest(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
 /* 1: the stiffness is near or beyond the limit of substeps of length h. */
 int32_t cni_geometric_stiffness_needs_dampers(const cn_world *world, const cni_sparse *sparse, const cni_component *c, float h);
-/* Sets the damping rows (third rows) of pins in a component of width 3, before its factorization. */
+/* cni_geometric_stiffness_find, and whether the component has dampers in this step: it then has width 3. */
+void cni_geometric_stiffness_begin(const cn_world *world, cni_sparse *sparse, cni_component *c, float h);
+/* Sets the damping rows (third rows) of pins in a component that has dampers, before its factorization. */
 void cni_geometric_stiffness_damp(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h);
 
 /* Applies x of every node to body velocities and row impulses. */

@@ -96,6 +96,13 @@ int32_t cni_geometric_stiffness_needs_dampers(const cn_world *world, const cni_s
 	return CNI_ON(GEOMETRIC_STIFFNESS) && h * h * cni_geometric_stiffness_largest(world, sparse, c) > 0.5f * CNI_STIFFNESS_XI_MAX;
 }
 
+void cni_geometric_stiffness_begin(const cn_world *world, cni_sparse *sparse, cni_component *c, float h)
+{
+	cni_geometric_stiffness_find(world, sparse, c, h);
+	c->damps = cni_geometric_stiffness_needs_dampers(world, sparse, c, h);
+	c->width = c->damps ? CNI_NODE_ROWS : c->width;
+}
+
 /* c of a body: the part of h^2 sum(r.f) that a substep does not resolve. */
 static float excess(const cn_world *world, const cni_sparse *sparse, int32_t index, float h)
 {
@@ -112,7 +119,7 @@ static int32_t is_fixed(const cn_world *world, int32_t index)
 void cni_geometric_stiffness_damp(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h)
 {
 	int32_t k;
-	if (c->width < CNI_NODE_ROWS || !CNI_ON(GEOMETRIC_STIFFNESS))
+	if (!c->damps)
 		return;
 	cni_geometric_stiffness_find(world, sparse, c, h);
 	for (k = c->begin; k < c->end; ++k) {
@@ -138,6 +145,7 @@ int32_t cni_geometric_stiffness_lock(const cn_world *world, const cni_sparse *sp
 		    (cni_abs(motions[n->ia].w) <= most && cni_abs(motions[n->ib].w) <= most) || cni_abs(motions[n->ib].w - motions[n->ia].w) <= 0.5f * most)
 			continue;
 		c->width = CNI_NODE_ROWS;
+		c->damps = 1;
 		n->levers.aw[2] = -1.0f;
 		n->levers.bw[2] = 1.0f;
 		n->compliance[2] = 0.0f;

@@ -143,59 +143,47 @@ static float gap_left(const rattle_step *g, float error)
 	return error - cni_clamp(CNI_RATTLE_CLOSING_RATE * error, -g->closing, g->closing);
 }
 
-static void move(cni_motion *m, float h, float part, float vx, float vy, float w)
+static void move(cni_motion *m, const cni_changes *c, float h, float part)
 {
-	m->vx += part * vx;
-	m->vy += part * vy;
-	m->w += part * w;
-	m->dpx += h * vx;
-	m->dpy += h * vy;
-	m->theta += h * w;
+	cni_changes_add(c, part, &m->vx, CNI_NODE_ROWS);
+	cni_changes_add(c, h, &m->dpx, CNI_NODE_ROWS);
 }
 
-/* Applies x of every node to positions, and a part of it (1 or 0) to velocities. */
+/* Applies x of every node to positions, and a part of it (1 or 0) to velocities and impulses. */
 static void push_and_move(const rattle_step *g, float part)
 {
-	int32_t k, i;
+	int32_t k;
 	for (k = g->c->begin; k < g->c->end; ++k) {
-		const cni_node *n = &g->sparse->nodes[k];
+		cni_node *n = &g->sparse->nodes[k];
+		const cni_levers *l = &n->levers;
 		cni_motion *a = g->motions + n->ia, *b = g->motions + n->ib;
-		for (i = 0; i < CNI_NODE_ROWS; ++i) {
-			const cni_lever row = cni_levers_row(&n->levers, i), *l = &row;
-			float x = n->x[i], pa = a->inv_mass * x, pb = b->inv_mass * x;
-			move(a, g->h, part, pa * l->ax, pa * l->ay, a->inv_inertia * x * l->aw);
-			move(b, g->h, part, pb * l->bx, pb * l->by, b->inv_inertia * x * l->bw);
-		}
+		cni_four x = cni_four_load(n->x);
+		const cni_changes of_a = cni_lever_ends_changes(l->ax, l->ay, l->aw, x, a), of_b = cni_lever_ends_changes(l->bx, l->by, l->bw, x, b);
+		move(a, &of_a, g->h, part);
+		move(b, &of_b, g->h, part);
+		cni_four_store(n->total, cni_four_add(cni_four_load(n->total), cni_four_scale(x, part)));
 	}
 }
 
-static void impulses_add(const rattle_step *g)
+static void rotations_find(const rattle_step *g)
 {
-	int32_t k, i;
-	for (k = g->c->begin; k < g->c->end; ++k) {
-		const cni_node *n = &g->sparse->nodes[k];
-		for (i = 0; i < n->rows; ++i)
-			constraint_of(g, k)->rows[i].impulse += n->x[i];
-	}
+	int32_t k;
+	for (k = g->c->body_begin; k < g->c->body_end; ++k)
+		g->sparse->turn[g->sparse->bodies[k]] = cni_rot_small(g->motions[g->sparse->bodies[k]].theta);
 }
 
-/* Builds the rows at the present positions, keeps their impulses, and sets x to the right sides that close the gaps. Returns the largest
-   gap. */
+/* Builds the rows at the present positions and sets x to the right sides that close the gaps. Returns the largest gap. */
 static float gaps_find(const rattle_step *g)
 {
 	float largest = 0.0f, inv_h = 1.0f / g->h;
 	int32_t k, i;
-	cni_direct_rotations(g->world, g->sparse, g->c);
+	rotations_find(g);
 	for (k = g->c->begin; k < g->c->end; ++k) {
 		cni_node *n = &g->sparse->nodes[k];
 		cni_joint_constraint *w = constraint_of(g, k);
-		float impulse[CNI_NODE_ROWS] = { 0.0f, 0.0f, 0.0f };
-		for (i = 0; i < n->rows; ++i)
-			impulse[i] = w->rows[i].impulse;
 		cni_joint_constraint_rows(w, g->motions, g->sparse->turn);
 		for (i = 0; i < n->rows; ++i) {
-			float gap = w->rows[i].error - g->left[(k - g->c->begin) * CNI_NODE_ROWS + i];
-			w->rows[i].impulse = impulse[i];
+			float gap = w->rows[i].error - n->carried[i];
 			n->x[i] = -gap * inv_h;
 			largest = cni_max(largest, cni_abs(gap));
 		}
@@ -210,21 +198,24 @@ static void gaps_left_find(const rattle_step *g)
 	int32_t k, i;
 	for (k = g->c->begin; k < g->c->end; ++k)
 		for (i = 0; i < g->sparse->nodes[k].rows; ++i)
-			g->left[(k - g->c->begin) * CNI_NODE_ROWS + i] = gap_left(g, constraint_of(g, k)->rows[i].error);
+			g->sparse->nodes[k].carried[i] = gap_left(g, constraint_of(g, k)->rows[i].error);
 }
 
-/* Applies a part of the rows' impulses along the present levers and multiplies the rows' impulses by `kept`. */
-static void impulses_push(const rattle_step *g, float part, float kept)
+static void push(const rattle_step *g, cni_node *n)
 {
-	int32_t k, i;
+	cni_four_store(n->total, cni_four_add(cni_four_load(n->total), cni_four_load(n->x)));
+	cni_levers_push(&n->levers, n->x, g->motions + n->ia, g->motions + n->ib, CNI_NODE_ROWS);
+}
+
+/* Keeps this part of the impulses (1 or 0) and adds another along the present levers. */
+static void impulses_push(const rattle_step *g, float kept, float added)
+{
+	int32_t k;
 	for (k = g->c->begin; k < g->c->end; ++k) {
-		const cni_node *n = &g->sparse->nodes[k];
-		for (i = 0; i < n->rows; ++i) {
-			cni_row *r = &constraint_of(g, k)->rows[i];
-			cni_lever l = cni_levers_row(&n->levers, i);
-			cni_lever_push(&l, part * r->impulse, g->motions + n->ia, g->motions + n->ib);
-			r->impulse *= kept;
-		}
+		cni_node *n = &g->sparse->nodes[k];
+		cni_four_store(n->x, cni_four_scale(cni_four_load(n->total), added));
+		cni_four_store(n->total, cni_four_scale(cni_four_load(n->total), kept));
+		push(g, n);
 	}
 }
 
@@ -236,7 +227,6 @@ static int32_t positions_close(const rattle_step *g)
 	for (round = 0; round < CNI_RATTLE_NEWTON_ROUNDS && (round == 0 || gap > g->closed); ++round) {
 		if (!cni_sparse_solve(g->sparse, g->c))
 			return BROKEN;
-		impulses_add(g);
 		push_and_move(g, 1.0f);
 		gap = gaps_find(g);
 	}
@@ -245,18 +235,35 @@ static int32_t positions_close(const rattle_step *g)
 
 static int32_t velocities_close(const rattle_step *g)
 {
-	int32_t k, i;
+	const cni_four zero = cni_four_all(0.0f);
+	int32_t k;
 	for (k = g->c->begin; k < g->c->end; ++k) {
 		cni_node *n = &g->sparse->nodes[k];
-		float speed[CNI_NODE_LANES];
-		cni_four_store(speed, cni_levers_speed(&n->levers, g->motions + n->ia, g->motions + n->ib));
-		for (i = 0; i < CNI_NODE_ROWS; ++i)
-			n->x[i] = -speed[i];
+		cni_four_store(n->x, cni_four_subtract(zero, cni_levers_speed(&n->levers, g->motions + n->ia, g->motions + n->ib)));
 	}
 	if (!cni_sparse_solve(g->sparse, g->c))
 		return 0;
-	cni_direct_push(g->world, g->sparse, g->c);
+	for (k = g->c->begin; k < g->c->end; ++k)
+		push(g, &g->sparse->nodes[k]);
 	return 1;
+}
+
+/* Writes the impulses, times `scale`, to the rigid rows. */
+static void impulses_store(const rattle_step *g, int32_t node, float scale)
+{
+	int32_t i;
+	for (i = 0; i < g->sparse->nodes[node].rows; ++i)
+		constraint_of(g, node)->rows[i].impulse = scale * g->sparse->nodes[node].total[i];
+}
+
+static void dampers_set(const rattle_step *g)
+{
+	int32_t k;
+	if (!g->c->damps)
+		return;
+	for (k = g->c->begin; k < g->c->end; ++k)
+		impulses_store(g, k, 1.0f);
+	cni_geometric_stiffness_damp(g->world, g->sparse, g->c, g->h);
 }
 
 /* Number of substeps that follows the fastest spring of the geometric stiffness, up to a limit. */
@@ -275,26 +282,18 @@ static int32_t substep(const rattle_step *g)
 {
 	int32_t closed;
 	gaps_left_find(g);
-	impulses_push(g, g->warm, g->warm);
+	impulses_push(g, 0.0f, g->warm);
 	kick(g);
 	drift(g);
 	closed = positions_close(g);
 	kick(g);
-	cni_geometric_stiffness_damp(g->world, g->sparse, g->c, g->h);
+	dampers_set(g);
 	cni_direct_refresh(g->world, g->sparse, g->c);
-	impulses_push(g, 2.0f * g->warm, 1.0f + 2.0f * g->warm);
+	impulses_push(g, 1.0f, 2.0f * g->warm);
 	return velocities_close(g) ? closed : BROKEN;
 }
 
 /* ---- one substep of the projection ---- */
-
-static void impulses_clear(const rattle_step *g)
-{
-	int32_t k, i;
-	for (k = g->c->begin; k < g->c->end; ++k)
-		for (i = 0; i < constraint_of(g, k)->row_count; ++i)
-			constraint_of(g, k)->rows[i].impulse = 0.0f;
-}
 
 /* Newton's method for rotations of any size: the levers are computed anew in each round. */
 static int32_t positions_project(const rattle_step *g)
@@ -318,7 +317,7 @@ static int32_t substep_project(const rattle_step *g)
 {
 	int32_t closed;
 	gaps_left_find(g);
-	impulses_clear(g);
+	impulses_push(g, 0.0f, 0.0f);
 	kick(g);
 	kick(g);
 	drift(g);
@@ -359,9 +358,8 @@ static void constraints_finish(const rattle_step *g, const cni_solve *s)
 	int32_t k, i;
 	for (k = g->c->begin; k < g->c->end; ++k) {
 		cni_joint_constraint *w = constraint_of(g, k);
-		for (i = 0; i < w->rigid_count; ++i)
-			w->rows[i].impulse *= scale;
-		for (; i < w->row_count; ++i)
+		impulses_store(g, k, scale);
+		for (i = w->rigid_count; i < w->row_count; ++i)
 			w->rows[i].impulse = 0.0f;
 		w->flags |= CNI_CONSTRAINT_FINISHED;
 	}
@@ -372,8 +370,10 @@ static void constraints_stress(const rattle_step *g)
 	int32_t k;
 	for (k = g->c->begin; k < g->c->end; ++k) {
 		cni_joint_constraint *w = constraint_of(g, k);
-		if (w->flags & CNI_CONSTRAINT_BREAKABLE)
+		if (w->flags & CNI_CONSTRAINT_BREAKABLE) {
+			impulses_store(g, k, 1.0f);
 			cni_joint_constraint_stress(w, g->motions + w->ib, 1.0f / g->h);
+		}
 	}
 }
 
@@ -384,7 +384,7 @@ static void impulses_reset(const rattle_step *g, float scale)
 	for (k = g->c->begin; k < g->c->end; ++k) {
 		cni_joint_constraint *w = constraint_of(g, k);
 		for (i = 0; i < w->rigid_count; ++i)
-			w->rows[i].impulse = scale * w->record->impulse[w->rows[i].slot];
+			w->rows[i].impulse = g->sparse->nodes[k].total[i] = scale * w->record->impulse[w->rows[i].slot];
 		if (w->flags & CNI_CONSTRAINT_BREAKABLE)
 			w->numbers->force_stress = w->numbers->torque_stress = 0.0f;
 	}
@@ -395,6 +395,8 @@ static void step_undo(const rattle_step *g)
 {
 	int32_t k;
 	cni_dummy_stand(g->world);
+	if (g->c->damps)
+		cni_sparse_clear(g->sparse, g->c);
 	cni_direct_motions_save(g->world, g->sparse, g->c, 1);
 	cni_direct_rotations(g->world, g->sparse, g->c);
 	for (k = g->c->begin; k < g->c->end; ++k)
@@ -463,11 +465,8 @@ static int32_t rattle_try(rattle_step *g, const cni_solve *s, cni_component *c, 
 	g->h = s->dt / (float)substeps;
 	g->closing = g->h * s->push_speed;
 	impulses_reset(g, s->warm_scale * g->h / s->h);
-	g->warm = 0.5f;
-	if (cni_geometric_stiffness_needs_dampers(g->world, g->sparse, c, g->h)) {
-		g->warm = 0.0f;
-		c->width = CNI_NODE_ROWS;
-	}
+	cni_geometric_stiffness_begin(g->world, g->sparse, c, g->h);
+	g->warm = c->damps ? 0.0f : 0.5f;
 	cni_geometric_stiffness_damp(g->world, g->sparse, c, g->h);
 	cni_direct_refresh(g->world, g->sparse, c);
 	before = cni_rattle_energy(g); /* no work has been done at the beginning of a step */
@@ -492,8 +491,6 @@ static int32_t project_try(rattle_step *g, const cni_solve *s, cni_component *c,
 	g->h = s->dt / (float)cni_max_i(CNI_RATTLE_SUBSTEPS_FIRM, s->substeps);
 	g->closing = g->h * s->push_speed;
 	impulses_reset(g, 0.0f);
-	if (c->width > 2)
-		cni_sparse_clear(g->sparse, c); /* no dampers */
 	cni_direct_refresh(g->world, g->sparse, c);
 	before = cni_rattle_energy(g);
 	g->closes_gaps = cni_rattle_closes_gaps(g);
@@ -549,11 +546,10 @@ static int32_t rattle_run(rattle_step *g, const cni_solve *s, cni_component *c, 
 	return 0;
 }
 
-static void component_run(cn_world *world, const cni_solve *s, cni_component *c, float *left)
+static void component_run(cn_world *world, const cni_solve *s, cni_component *c)
 {
 	rattle_step g = { world, s->direct, c, cni_motions(world), s->h,
-		CNI_RATTLE_CLOSED * world->settings.length_unit, 0.0f, left, 0.5f, 0.0f, 0.0f,
-		0 };
+		CNI_RATTLE_CLOSED * world->settings.length_unit, 0.0f, 0.5f, 0.0f, 0.0f, 0 };
 	float rods, last_h = s->warm_scale > 0.0f ? s->h / s->warm_scale : s->h; /* substep of the records' impulses */
 	cni_joint_trust trust = trust_read(&g);
 	int32_t projects;
@@ -578,32 +574,10 @@ static void component_run(cn_world *world, const cni_solve *s, cni_component *c,
 	constraints_finish(&g, s);
 }
 
-static int32_t largest_component(const cni_sparse *sparse)
-{
-	int32_t k, largest = 0;
-	for (k = 0; k < sparse->component_count; ++k)
-		if (sparse->components[k].uses_rattle)
-			largest = cni_max_i(largest, sparse->components[k].end - sparse->components[k].begin);
-	return largest;
-}
-
 void cni_rattle_run(cn_world *world, const cni_solve *s)
 {
-	float *left;
-	int32_t k, largest = s->direct == NULL ? 0 : largest_component(s->direct);
-	if (largest == 0)
-		return;
-	left = (float *)cni_arena_push(&world->arena, sizeof(float) * CNI_NODE_ROWS * (uint64_t)largest);
-	if (left == NULL)
-		world->warnings |= CN_WARNING_FRAME_MEMORY;
-	for (k = 0; k < s->direct->component_count; ++k) {
-		cni_component *c = &s->direct->components[k];
-		if (!c->uses_rattle)
-			continue;
-		if (left != NULL)
-			component_run(world, s, c, left);
-		else
-			cni_direct_begin(world, s, s->direct, c);
-	}
-	(void)cni_arena_pop(&world->arena, left);
+	int32_t k;
+	for (k = 0; s->direct != NULL && k < s->direct->component_count; ++k)
+		if (s->direct->components[k].uses_rattle)
+			component_run(world, s, &s->direct->components[k]);
 }

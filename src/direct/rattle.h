@@ -6,6 +6,7 @@
 
 #include "direct/direct_system.h"
 
+/* A node's `carried`: remainders of old gaps after the substep; its `total`: impulses of the substep. */
 typedef struct rattle_step {
 	cn_world *world;
 	cni_sparse *sparse;
@@ -14,7 +15,6 @@ typedef struct rattle_step {
 	float h;
 	float closed;      /* largest negligible joint error */
 	float closing;     /* largest reduction of an old gap in a substep */
-	float *left;       /* by row: remainder of an old gap after the substep */
 	float warm;        /* 0.5, or 0: part of the last substep's impulse that is the first guess of mu */
 	float energy_error; /* h^2 m a^2 / 4 of the last substep: bound on the method's energy error */
 	float base_work;   /* work of moving bodies without mass at their joints in this step */

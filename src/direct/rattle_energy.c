@@ -107,7 +107,7 @@ float cni_rattle_base_work(const rattle_step *g)
 		const cni_node *n = &g->sparse->nodes[k];
 		for (i = 0; i < n->rows; ++i) {
 			cni_lever l = cni_levers_row(&n->levers, i);
-			work -= constraint_of(g, k)->rows[i].impulse * base_speed(&l, g->motions + n->ia, g->motions + n->ib);
+			work -= n->total[i] * base_speed(&l, g->motions + n->ia, g->motions + n->ib);
 		}
 	}
 	return work;

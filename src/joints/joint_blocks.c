@@ -16,6 +16,7 @@
 #include "base/bitset.h"
 #include "base/cpu.h"
 #include "joints/joint_pass.h"
+#include "joints/joint_row.h"
 #include "model/tuning.h"
 
 #include <string.h>
@@ -454,12 +455,7 @@ static void lanes_to_rows(cn_world *world, cni_joint_block *block)
 		rows[0].impulse = block->jx[l];
 		rows[1].impulse = block->jy[l];
 		block->jx[l] = block->jy[l] = 0.0f;
-		rows[0].aw = block->ay[l];
-		rows[1].aw = -block->ax[l];
-		rows[0].bw = -block->by[l];
-		rows[1].bw = block->bx[l];
-		rows[0].error = block->ex[l];
-		rows[1].error = block->ey[l];
+		cni_rows_point_turn(rows, cni_v(block->ax[l], block->ay[l]), cni_v(block->bx[l], block->by[l]), cni_v(block->ex[l], block->ey[l]));
 	}
 }
 

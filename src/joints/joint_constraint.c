@@ -14,6 +14,7 @@
  */
 #include "joints/joint_rows.h"
 #include "joints/joint_constraint.h"
+#include "joints/joint_row.h"
 
 /* ---- masses ---- */
 
@@ -52,14 +53,20 @@ void cni_rows_invert(const cni_row *r, int32_t count, const cni_motion *a, const
 
 /* ---- frames ---- */
 
-/* The present frame: rotated anchors, and the gap moved by the bodies' displacements since the step began. */
+/* The gap, moved by the bodies' displacements since the step began, between anchors at ra and rb now. */
+CNI_INLINE cni_vec2 constraint_gap(const cni_joint_constraint *w, const cni_motion *a, const cni_motion *b, cni_vec2 ra, cni_vec2 rb)
+{
+	return cni_v(w->start.d.x + (b->dpx - a->dpx) + (rb.x - w->start.rb.x) - (ra.x - w->start.ra.x),
+		w->start.d.y + (b->dpy - a->dpy) + (rb.y - w->start.rb.y) - (ra.y - w->start.ra.y));
+}
+
+/* The present frame: rotated anchors, and the gap. */
 CNI_INLINE cni_joint_frame constraint_frame_turned(const cni_joint_constraint *w, const cni_motion *a, const cni_motion *b, cni_rot turn_a, cni_rot turn_b)
 {
 	cni_joint_frame f;
 	f.ra = cni_rotate(turn_a, w->start.ra);
 	f.rb = cni_rotate(turn_b, w->start.rb);
-	f.d.x = w->start.d.x + (b->dpx - a->dpx) + (f.rb.x - w->start.rb.x) - (f.ra.x - w->start.ra.x);
-	f.d.y = w->start.d.y + (b->dpy - a->dpy) + (f.rb.y - w->start.rb.y) - (f.ra.y - w->start.ra.y);
+	f.d = constraint_gap(w, a, b, f.ra, f.rb);
 	f.e = cni_v(0.0f, 0.0f);
 	if (w->flags & CNI_CONSTRAINT_GROUNDS) {
 		f.d = cni_add(w->start.d, cni_add(cni_v(a->dpx, a->dpy), cni_sub(f.ra, w->start.ra)));
@@ -147,8 +154,14 @@ void cni_joint_constraint_build(cni_joint_constraint *w, const cni_motion *a, co
 
 void cni_joint_constraint_rows(cni_joint_constraint *w, const cni_motion *motions, const cni_rot *turns)
 {
-	cni_joint_frame f = constraint_frame_turned(w, motions + w->ia, motions + w->ib, turns[w->ia], turns[w->ib]);
-	(void)w->make_rows(w->record, &f, w->rows);
+	const cni_motion *a = motions + w->ia, *b = motions + w->ib;
+	if (w->make_rows == cni_joint_revolute.rows) {
+		cni_vec2 ra = cni_rotate(turns[w->ia], w->start.ra), rb = cni_rotate(turns[w->ib], w->start.rb);
+		cni_rows_point_turn(w->rows, ra, rb, constraint_gap(w, a, b, ra, rb));
+	} else {
+		cni_joint_frame f = constraint_frame_turned(w, a, b, turns[w->ia], turns[w->ib]);
+		(void)w->make_rows(w->record, &f, w->rows);
+	}
 }
 
 void cni_joint_constraint_ahead(const cni_joint_constraint *w, const cni_motion *motions, float h, float *errors)

@@ -137,8 +137,8 @@ void cni_joint_rows_renew(cn_world *world, cni_joint_constraint *w);
 void cni_rows_invert(const cni_row *r, int32_t count, const cni_motion *a, const cni_motion *b, float *inv);
 /* Builds all rows at the bodies' present positions and leaves impulses undefined. */
 void cni_joint_constraint_build(cni_joint_constraint *w, const cni_motion *a, const cni_motion *b);
-/* The type's rows without decoupling, for joints whose other rows are limits that cannot act; turns: rotations by the motions' theta.
-   Leaves impulses undefined. */
+/* The type's rows without decoupling, for joints whose rows were built in this step and whose other rows are limits that cannot act;
+   turns: rotations by the motions' theta. Leaves impulses undefined, and the other rows of pins as they were. */
 void cni_joint_constraint_rows(cni_joint_constraint *w, const cni_motion *motions, const cni_rot *turns);
 /* Predicts the errors of the rigid rows after a time h at the bodies' present velocities. */
 void cni_joint_constraint_ahead(const cni_joint_constraint *w, const cni_motion *motions, float h, float *errors);

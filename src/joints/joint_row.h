@@ -43,23 +43,26 @@ static inline cni_row cni_row_fixed_direction(const cni_joint_frame *f, cni_vec2
 	return cni_row_along(f, direction, cni_add(f->ra, f->d), kind, slot, sign);
 }
 
-/* The two rows of a point of b held at a point of a, seen from a's centre of mass at ra; slots 0 and 1. */
+/* Turns the two rows of a point of b held at a point of a, seen from the centres of mass at ra and rb. */
+static inline void cni_rows_point_turn(cni_row *rows, cni_vec2 ra, cni_vec2 rb, cni_vec2 gap)
+{
+	rows[0].aw = ra.y;
+	rows[0].bw = -rb.y;
+	rows[0].error = gap.x;
+	rows[1].aw = -ra.x;
+	rows[1].bw = rb.x;
+	rows[1].error = gap.y;
+}
+
+/* These rows; slots 0 and 1. */
 static inline void cni_rows_point(const cni_joint_frame *f, cni_vec2 ra, cni_vec2 gap, uint8_t kind, cni_row *rows)
 {
 	memset(rows, 0, 2 * sizeof *rows);
-	rows[0].ax = -1.0f;
-	rows[0].aw = ra.y;
-	rows[0].bx = 1.0f;
-	rows[0].bw = -f->rb.y;
-	rows[0].error = gap.x;
-	rows[0].kind = kind;
-	rows[1].ay = -1.0f;
-	rows[1].aw = -ra.x;
-	rows[1].by = 1.0f;
-	rows[1].bw = f->rb.x;
-	rows[1].error = gap.y;
-	rows[1].kind = kind;
+	rows[0].ax = rows[1].ay = -1.0f;
+	rows[0].bx = rows[1].by = 1.0f;
+	rows[0].kind = rows[1].kind = kind;
 	rows[1].slot = 1;
+	cni_rows_point_turn(rows, ra, f->rb, gap);
 }
 
 /* Nearer end of lower <= x <= upper: returns 1 or -1, the row's sign, and the remaining gap there. */

@@ -48,13 +48,6 @@ static inline float cni_lever_speed(const cni_lever *l, const cni_motion *a, con
 	return l->ax * a->vx + l->ay * a->vy + l->aw * a->w + l->bx * b->vx + l->by * b->vy + l->bw * b->w;
 }
 
-/* Inverse effective mass of a row: the speed change per unit impulse. */
-static inline float cni_lever_inverse_mass(const cni_lever *l, const cni_motion *a, const cni_motion *b)
-{
-	return a->inv_mass * (l->ax * l->ax + l->ay * l->ay) + a->inv_inertia * l->aw * l->aw +
-	       b->inv_mass * (l->bx * l->bx + l->by * l->by) + b->inv_inertia * l->bw * l->bw;
-}
-
 static inline void cni_lever_push(const cni_lever *l, float impulse, cni_motion *a, cni_motion *b)
 {
 	float ma = a->inv_mass * impulse, mb = b->inv_mass * impulse;
@@ -77,25 +70,34 @@ CNI_INLINE cni_four cni_levers_speed(const cni_levers *l, const cni_motion *a, c
 	return cni_four_add(sum, cni_four_scale(cni_four_load(l->bw), b->w));
 }
 
-/* Pushes a body at these lever ends. */
-CNI_INLINE void cni_lever_ends_push(const float *x, const float *y, const float *w, cni_four impulses, cni_motion *m, int32_t rows)
+/* What each row's impulse changes in the velocity of a body at these lever ends; the last lanes are zero. */
+typedef struct cni_changes {
+	cni_four row[CNI_NODE_ROWS];
+} cni_changes;
+
+CNI_INLINE cni_changes cni_lever_ends_changes(const float *x, const float *y, const float *w, cni_four impulses, const cni_motion *m)
 {
-	cni_four by_mass = cni_four_scale(impulses, m->inv_mass), before = cni_four_load(&m->vx), after, last;
-	cni_four vx = cni_four_times(by_mass, cni_four_load(x)), vy = cni_four_times(by_mass, cni_four_load(y));
-	cni_four turn = cni_four_times(cni_four_scale(impulses, m->inv_inertia), cni_four_load(w));
-	cni_four_columns(&vx, &vy, &turn);
-	after = cni_four_add(cni_four_add(before, vx), vy);
-	after = rows > 2 ? cni_four_add(after, turn) : after;
-	last = CNI_FOUR_PICK(after, before, 2, 2, 7, 7);
-	cni_four_store(&m->vx, CNI_FOUR_PICK(after, last, 0, 1, 4, 6)); /* inv_mass stays */
+	cni_four by_mass = cni_four_scale(impulses, m->inv_mass);
+	cni_changes c = { { cni_four_times(by_mass, cni_four_load(x)), cni_four_times(by_mass, cni_four_load(y)),
+		cni_four_times(cni_four_scale(impulses, m->inv_inertia), cni_four_load(w)) } };
+	cni_four_columns(&c.row[0], &c.row[1], &c.row[2]);
+	return c;
 }
 
-/* cni_lever_push of the first 2 or all rows; x has CNI_NODE_LANES numbers. */
+/* Adds the changes, times `part`, of the first 2 or all rows to a body's velocity (&m->vx) or pose (&m->dpx). */
+CNI_INLINE void cni_changes_add(const cni_changes *c, float part, float *to, int32_t rows)
+{
+	cni_four sum = cni_four_add(cni_four_add(cni_four_load(to), cni_four_scale(c->row[0], part)), cni_four_scale(c->row[1], part));
+	cni_four_store(to, rows > 2 ? cni_four_add(sum, cni_four_scale(c->row[2], part)) : sum);
+}
+
+/* cni_lever_push of the first 2 or all rows to two different bodies; x has CNI_NODE_LANES numbers, the last zero. */
 CNI_INLINE void cni_levers_push(const cni_levers *l, const float *x, cni_motion *a, cni_motion *b, int32_t rows)
 {
 	cni_four impulses = cni_four_load(x);
-	cni_lever_ends_push(l->ax, l->ay, l->aw, impulses, a, rows);
-	cni_lever_ends_push(l->bx, l->by, l->bw, impulses, b, rows);
+	const cni_changes of_a = cni_lever_ends_changes(l->ax, l->ay, l->aw, impulses, a), of_b = cni_lever_ends_changes(l->bx, l->by, l->bw, impulses, b);
+	cni_changes_add(&of_a, 1.0f, &a->vx, rows); /* inv_mass stays */
+	cni_changes_add(&of_b, 1.0f, &b->vx, rows);
 }
 
 #endif

@@ -9,7 +9,7 @@
  *   nodes     [0][1][2][3]...            in the order of elimination; components one after the other
  *   first     index of node k's first block; it has one for each later neighbour, fill included
  *   below     the later node of each block, ascending
- *   block     2 x 2 floats or 3 rows of 4, row major: rows of the later node, columns of the earlier one
+ *   block     2 x 2 floats or 3 columns of 4, column major: rows of the later node, columns of the earlier one
  *   pivot     inverse of the node's own block after elimination
  *
  * A row that acts on no body, or that depends on other rows (its pivot cancels), gets no impulse.
@@ -35,11 +35,13 @@ typedef struct cni_node {
 	cni_levers levers;
 	float compliance[CNI_NODE_ROWS];   /* added to the diagonal */
 	float cross;                       /* ... and to the element between the first two rows */
-	float least[CNI_NODE_ROWS];        /* smaller pivots are rounding errors and are treated as zero */
+	float diagonal[CNI_NODE_ROWS];     /* of the present system */
+	float closing[CNI_NODE_LANES];     /* of a joint: speeds that correct errors are their negatives */
 	float x[CNI_NODE_LANES];           /* right hand side in, solution out; the last is zero */
 	float carried[CNI_NODE_LANES];     /* impulses at the begin of a pass */
-	float total[CNI_NODE_ROWS];        /* sum of the solutions so far, where there are several; of joints with motors: target speeds */
+	float total[CNI_NODE_LANES];       /* sum of the solutions so far, where there are several; without contacts: speeds of the rows, then targets */
 	float target;                      /* ... target speed of the third row: direct/active_rows.c */
+	int32_t next_active;               /* ... the next node with a motor or limit, CNI_NONE */
 } cni_node;
 
 /* A node before planning: its bodies (dense indices, 0: static or the world) and its number of rows. */
@@ -77,6 +79,8 @@ typedef struct cni_component {
 	int32_t factored;              /* ... 1: the pivots belong to the present levers */
 	int32_t joints;                /* number of nodes that are joints: direct/direct_joints.c */
 	int32_t active;                /* 1: the active set has limits, 2: also motors: direct/active_rows.c */
+	int32_t active_first;          /* ... its first node, in ascending order */
+	int32_t damps;                 /* 1: its pins may have dampers or locks in this step: direct/geometric_stiffness.c */
 	int32_t kind;                  /* topology class or CNI_NONE: linear/topology_class.c */
 	int32_t batches;                 /* 1: solved side by side with others of its class: direct/batched_trees.c */
 	int32_t batch, lane;            /* ... where */

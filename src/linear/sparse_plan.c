@@ -430,15 +430,7 @@ void cni_sparse_clear(cni_sparse *s, const cni_component *c)
 	int32_t k;
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &s->nodes[k];
-		n->active = 0;
-		memset(&n->levers, 0, sizeof n->levers);
-		memset(n->compliance, 0, sizeof n->compliance);
-		n->cross = 0.0f;
-		memset(n->least, 0, sizeof n->least);
-		memset(n->x, 0, sizeof n->x);
-		memset(n->carried, 0, sizeof n->carried);
-		memset(n->total, 0, sizeof n->total);
-		n->target = 0.0f;
+		memset(&n->active, 0, sizeof *n - offsetof(cni_node, active));
 	}
 }
 

@@ -2,10 +2,11 @@
  * test/world/mechanism_test.c - joints that are solved directly never do worse than soft ones: whips, even and uneven
  * steps, motors and limits behind heavy linkages, loops that say much twice.
  *
- * If a test here fails, run world/direct first. Then look in: direct/rattle.c (chains: energy, projection),
+ * If a test here fails, run world/direct first. Then look in: direct/rattle.c (chains: energy, projection, retries),
  * direct/active_rows.c (motors, limits), direct/direct_joints.c (nets: the check of a solution).
  */
 #include "direct.h"
+#include "direct/direct_contact.h"
 #include "model/world.h"
 
 /* ---- chains with heavy ends, through whips ---- */
@@ -293,6 +294,27 @@ static void a_strong_motor_drives_a_lift(void)
 	scene_close(&s);
 }
 
+/* A chain with two rods of different lengths between the same points cannot close, whatever the number of substeps. RATTLE is tried again
+   with twice the substeps only as far as the work of the step allows; 90 links would take twice as much. */
+static void retries_share_the_work_of_a_step(void)
+{
+	scene s = scene_open(GRAVITY, 0, CN_SOLVER_AUTO);
+	cn_distance_def rod;
+	int32_t k, most = 0;
+	chain_make(&s, 0, 88, 1.0f);
+	rod = distance_def(s.bodies[0], at(0.0f, 0.0f), s.bodies[2], at(0.0f, 0.0f), 1.0f);
+	make_distance(s.world, &rod);
+	rod.length_m = 0.9f;
+	make_distance(s.world, &rod);
+	for (k = 0; k < 40; ++k) {
+		fixture_step(s.world, 1);
+		most = most > s.world->set_work ? most : s.world->set_work;
+	}
+	CHECK_GE("work of failed attempts in a step", (double)most, 20000.0, "blocks");
+	CHECK_LE("work of failed attempts in a step", (double)most, (double)CNI_ATTEMPT_PASS_WORK, "blocks");
+	scene_close(&s);
+}
+
 int main(void)
 {
 	RUN(chains_whip);
@@ -300,5 +322,6 @@ int main(void)
 	RUN(limits_hold_loads);
 	RUN(rings_are_soft_where_they_touch);
 	RUN(a_strong_motor_drives_a_lift);
+	RUN(retries_share_the_work_of_a_step);
 	return test_end();
 }
