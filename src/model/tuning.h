@@ -295,9 +295,6 @@ CNI_TUNING_FLOAT(CNI_REST_SOLVED_PART, 0.2f)
 /* Length units a second, times the sleep delay: summed speed changes from which a slow body does not rest; see step/integrate_pass.h.
    4 mm/s^2 at the default delay of 0.5 s; a box on a slope 0.5% too steep for a friction of 0.5 has 22 mm/s^2. */
 CNI_TUNING_FLOAT(CNI_STEADY_SPEED, 1e-3f)
-/* Length units a second. A body that corrections of overlaps and open joints move faster does not rest, although its velocity is zero:
-   it would fall asleep before the error is gone. Slower corrections end within the sleep delay. */
-CNI_TUNING_FLOAT(CNI_PUSHED_SPEED, 0.05f)
 /* Limit of the ratio of a step to the one before, by which warm start impulses scale; see step/solve_make.c. Walls fell with 4 when a
    step was 0.2 to 1.8 times the mean (a ratio of 9). */
 CNI_TUNING_FLOAT(CNI_WARM_STEP_RATIO_MAX, 20.0f)
