@@ -285,7 +285,7 @@ fuzz:
 	@sh test/fuzz/run.sh $(BUILD) $(TARGET)
 
 # Long forms of tests under load, some ten minutes: an hour of simulated churn, 1,000 histories of 2,000 steps with both broadphases, crowds.
-SOAK := $(BUILD)/test/world/soak_test $(BUILD)/test/world/crowd_test $(BUILD)/test/world/pressed_test $(BUILD)/test/world/broadphase_histories_test
+SOAK := $(BUILD)/test/world/soak_test $(BUILD)/test/world/crowd_test $(BUILD)/test/world/pressed_test $(BUILD)/test/world/sleep_residual_test $(BUILD)/test/world/broadphase_histories_test
 soak: $(SOAK)
 	@for t in $(SOAK); do $$t t_soak || exit 1; done
 

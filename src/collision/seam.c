@@ -10,6 +10,11 @@
 #define OWN_SINE_MAX 1e-5f
 /* ... up to which two points are still those of the surface, about a degree: a body that tilts slides on without loss. */
 #define FLAT_SINE_MAX 0.02f
+/* Bits COVERED_FROM + face, of shapes with at most COVERED_FACES faces: one neighbour continues both faces beside this one, and so covers it. */
+#define COVERED_FROM 20
+#define COVERED_FACES 10
+/* Cosine between a normal and that of a covered face from which it leads into the neighbour: less than 60 degrees. */
+#define COVERED_COSINE 0.5f
 
 typedef struct face {
 	cni_vec2 start, normal, along; /* along: unit; the face spans 0 to length along it */
@@ -52,6 +57,17 @@ static int32_t face_continues(const face *f, const face *other, int32_t end, flo
 	return end ? from <= slop && to > slop : to >= -slop && from < -slop;
 }
 
+/* Adds the faces that are covered because both of their ends are hidden. */
+static uint32_t covered_add(uint32_t seams, int32_t count)
+{
+	int32_t i;
+	for (i = 0; i < count && count <= COVERED_FACES; ++i) {
+		int32_t before = i > 0 ? i - 1 : count - 1, after = i + 1 < count ? i + 1 : 0;
+		seams |= (seams >> (2 * before + 1) & seams >> 2 * after & 1u) << (COVERED_FROM + i);
+	}
+	return seams;
+}
+
 uint32_t cni_seams_between(const cni_geometry *g, const cni_geometry *h, cni_transform h_in_g, float slop)
 {
 	uint32_t seams = 0;
@@ -65,7 +81,7 @@ uint32_t cni_seams_between(const cni_geometry *g, const cni_geometry *h, cni_tra
 			seams |= (uint32_t)face_continues(&f, &other, 0, slop) << 2 * i | (uint32_t)face_continues(&f, &other, 1, slop) << (2 * i + 1);
 		}
 	}
-	return seams;
+	return g->count > 2 ? covered_add(seams, g->count) : seams;
 }
 
 /* The moving shape, in the frame of the static one. */
@@ -157,6 +173,45 @@ static int32_t is_flat(const face *f, cni_vec2 normal, const cni_manifold *m)
 	return m->count == 2 && cni_dot(normal, f->normal) > 0.0f && cni_abs(cni_dot(normal, f->along)) <= FLAT_SINE_MAX;
 }
 
+/* Does the normal lead out through a covered face, and is it no other face's own? */
+static int32_t leads_into_neighbour(const cni_geometry *owner, cni_vec2 normal)
+{
+	const cni_vec2 *normals = cni_geometry_normals(owner);
+	int32_t i, leads = 0;
+	for (i = 0; i < owner->count; ++i) {
+		if (owner->seams >> (COVERED_FROM + i) & 1u)
+			leads |= cni_dot(normal, normals[i]) > COVERED_COSINE;
+		else if (cni_dot(normal, normals[i]) > 0.0f && cni_abs(cni_cross(normal, normals[i])) <= OWN_SINE_MAX)
+			return 0;
+	}
+	return leads;
+}
+
+/* What is deep in the shape leaves it through the nearest face that is not covered, on its own side of the middle: neighbours push it out
+   of a shape that is enclosed there. center: the moving shape's, in the frame of the static one. */
+static void leave_uncovered(const mover *o, cni_vec2 center, const cni_geometry *owner, cni_vec2 motion, const cni_manifold_input *in, int32_t static_is_b, cni_manifold *m)
+{
+	underside best = { { 0.0f, 0.0f }, { 0.0f, 0.0f }, -FLT_MAX };
+	int32_t i, nearest = CNI_NONE;
+	face f;
+	for (i = 0; i < owner->count; ++i) {
+		underside u;
+		f = face_of(owner, i);
+		if ((owner->seams >> (COVERED_FROM + i) & 1u) || cni_dot(f.normal, cni_sub(center, owner->centroid)) < 0.0f)
+			continue;
+		u = underside_find(o, &f, in->slop);
+		if (u.low <= best.low)
+			continue;
+		best = u;
+		nearest = i;
+	}
+	if (nearest == CNI_NONE)
+		return;
+	f = face_of(owner, nearest);
+	if (best.at[0] <= f.length && best.at[1] >= 0.0f) /* else the neighbour has its lowest points */
+		surface_take(&f, &best, motion, in, static_is_b, m);
+}
+
 void cni_seams_mend(const cni_manifold_input *in, cni_vec2 motion, float depth, cni_manifold *m)
 {
 	int32_t static_is_b = cni_seams_of(in->a) == 0, i;
@@ -188,4 +243,6 @@ void cni_seams_mend(const cni_manifold_input *in, cni_vec2 motion, float depth, 
 			surface_take(&f, &u, motion, in, static_is_b, m);
 		return;
 	}
+	if (owner->count > 2 && owner->count <= COVERED_FACES && leads_into_neighbour(owner, normal))
+		leave_uncovered(&o, static_is_b ? cni_untransform_point(o.at, other->centroid) : cni_transform_point(o.at, other->centroid), owner, motion, in, static_is_b, m);
 }

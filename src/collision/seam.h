@@ -5,7 +5,7 @@
  * A polygon or an edge stores which ends of its faces are hidden (cni_geometry.seams). narrowphase/static_seams.c finds
  * them when static shapes are made, moved or destroyed. A manifold whose normal belongs to a hidden corner, or to the side
  * face below it, is replaced by a manifold of the surface (as internal edge removal in Jolt and Bullet; for chains see
- * manifold_chain.c).
+ * manifold_chain.c). A face that one neighbour covers leads nowhere: a shape deep inside leaves through another face.
  */
 #ifndef CNI_COLLISION_SEAM_H
 #define CNI_COLLISION_SEAM_H
@@ -15,7 +15,7 @@
 /* 1 for polygons and edges with a radius up to the slop: only these can have seams. */
 int32_t cni_seams_possible(const cni_geometry *g, float slop);
 
-/* Bits 2 * face + end of the face ends of g that a face of h continues. Seams must be possible for both shapes. */
+/* Bits 2 * face + end of the face ends of g that a face of h continues, and bits of the faces that h covers (seam.c). Seams must be possible for both shapes. */
 uint32_t cni_seams_between(const cni_geometry *g, const cni_geometry *h, cni_transform h_in_g, float slop);
 
 /* Replaces a manifold of a hidden corner by one of the surface, or empties it where the neighbour has the contact. in->a or

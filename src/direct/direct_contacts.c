@@ -132,16 +132,22 @@ static float energy_of_start(const cni_direct_contact_pass *q)
 	return sum;
 }
 
-/* Twice the kinetic energy of all of it at CNI_DIRECT_STILL_SPEED: with less it is at rest. A part may move on a standing island. */
-static float energy_of_rest(const cni_direct_contact_pass *q)
+/* Twice the kinetic energy of all of it at a speed. */
+static float energy_at_speed(const cni_direct_contact_pass *q, float speed)
 {
-	float mass = 0.0f, speed = CNI_DIRECT_STILL_SPEED * q->world->settings.length_unit;
+	float mass = 0.0f;
 	int32_t k;
 	for (k = q->c->body_begin; k < q->c->body_end; ++k) {
 		const cni_motion *m = q->motions + q->sparse->bodies[k];
 		mass += m->inv_mass > 0.0f ? 1.0f / m->inv_mass : 0.0f;
 	}
 	return mass * speed * speed;
+}
+
+/* ... at CNI_DIRECT_STILL_SPEED: with less it is at rest. A part may move on a standing island. */
+static float energy_of_rest(const cni_direct_contact_pass *q)
+{
+	return energy_at_speed(q, CNI_DIRECT_STILL_SPEED * q->world->settings.length_unit);
 }
 
 /* 1: it moved at the beginning of the step. */
@@ -173,10 +179,16 @@ static float push_work(const cni_direct_contact_pass *q)
  * With speeds w after and v before the impulses l, and speeds bounded below by -g (gap_speed), the energy grows by
  * l.(w + v) / 2 <= l.w <= -l.g: no more than the work of pushing apart. The relax pass removes the push: with all impulses of the
  * substep, the energy is then no more than at its beginning. Joints and bodies carried along may add more.
+ * Nor is that work more than what stops all motion and pushes each body at push_speed times the root of the number of bodies: beyond that
+ * the impulses push one body out of two overlaps in opposite directions, and would throw it in the next step.
  */
 static int32_t energy_fits(const cni_direct_contact_pass *q)
 {
-	return q->c->joints > 0 || energy_of(q) <= (1.0f + CNI_DIRECT_ENERGY_ROUNDING) * q->before + push_work(q);
+	float bodies = (float)(q->c->body_end - q->c->body_begin), work = push_work(q);
+	if (q->c->joints > 0)
+		return 1;
+	return energy_of(q) <= (1.0f + CNI_DIRECT_ENERGY_ROUNDING) * q->before + work &&
+	       work <= 2.0f * (q->before + bodies * energy_at_speed(q, q->s->push_speed));
 }
 
 /* Restores the impulses of the pass, for sliding friction: those of a set that was no solution do not count. */

@@ -84,6 +84,7 @@ void cni_body_set_center(cn_world *world, cni_body *b, cni_vec2 local_center)
 	cni_vec2 shift = cni_rotate(b->q, cni_sub(local_center, b->local_center));
 	cn_velocity v = cni_body_velocity(world, b);
 	v.linear_mps = cni_madd(v.linear_mps, v.angular_radps, cni_left_perp(shift));
+	v.linear_mps = cni_v(cni_saturate(v.linear_mps.x), cni_saturate(v.linear_mps.y));
 	b->cx += shift.x;
 	b->cy += shift.y;
 	b->local_center = local_center;

@@ -75,6 +75,7 @@ typedef struct cni_solve {
 	int32_t substeps;
 	float warm_scale;          /* factor of stored impulses: length of this substep over the last one's */
 	float push_speed;
+	float pushed_most;        /* metres: a body that corrections of errors move farther in a step does not rest, although its velocity is 0 */
 	float restitution_threshold;
 	float jump_speed;         /* a larger change of a body's velocity in one substep counts as a jump */
 	cni_contact_pass contact[CNI_CONTACTS_KINDS];

@@ -295,9 +295,6 @@ CNI_TUNING_FLOAT(CNI_REST_SOLVED_PART, 0.2f)
 /* Length units a second squared, 0.12% of gravity. A slow body that gains speed faster does not rest; see step/integrate_pass.h. A box on
    a slope 0.5% too steep for a friction of 0.5 has 22 mm/s^2; what creeps in a heap that settles changes its speed by 4 to 10. */
 CNI_TUNING_FLOAT(CNI_STEADY_ACCELERATION, 12e-3f)
-/* Length units a second. A body that corrections of overlaps and open joints move faster does not rest, although its velocity is zero:
-   it would fall asleep before the error is gone. Slower corrections end within the sleep delay. */
-CNI_TUNING_FLOAT(CNI_PUSHED_SPEED, 0.05f)
 /* Limit of the ratio of a step to the one before, by which warm start impulses scale; see step/solve_make.c. Walls fell with 4 when a
    step was 0.2 to 1.8 times the mean (a ratio of 9). */
 CNI_TUNING_FLOAT(CNI_WARM_STEP_RATIO_MAX, 20.0f)

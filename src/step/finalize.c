@@ -7,7 +7,7 @@
  * A body rests while it is slow and does not accelerate: at the apex of a throw the last substep's change of velocity is all of
  * what gravity gives, on the ground it is almost zero. A slow acceleration, as on a slightly too steep slope, cannot be
  * separated from the noise of one substep, but it adds up over the sleep delay: see cni_body_gains. A body does not rest either while an overlap or a joint
- * error is being corrected, which is motion without velocity: see CNI_PUSHED_SPEED.
+ * error is being corrected, which is motion without velocity: see pushed_most of cni_solve.
  *
  * Workers may share all of it except the calls of the broadphase: workers write new boxes into proxies, and one thread reports
  * them to the broadphase in the order of the bodies.
@@ -98,10 +98,13 @@ static int32_t body_gains(const cn_world *world, cni_body *b, const cni_motion *
 	return cni_body_gains(b, m, m->vx - b->vx + linear * m->vx, m->vy - b->vy + linear * m->vy, m->w - b->w + angular * m->w, &limits);
 }
 
-/* Does the step move the body by more than its velocity? */
-static int32_t body_is_pushed(const cn_world *world, const cni_body *b, const cni_motion *m, float dt)
+/* Does the step move the body by more than its velocity? The sequential solver has moved it by its velocity at the start already. */
+static int32_t body_is_pushed(const cn_world *world, const cni_solve *s, const cni_body *b, int32_t k)
 {
-	return cni_is_pushed(m->dpx - dt * m->vx, m->dpy - dt * m->vy, (m->theta - dt * m->w) * b->extent, cni_pushed_most(world, dt));
+	static const cni_velocity_start none = { 0.0f, 0.0f, 0.0f, 0.0f };
+	const cni_motion *m = cni_motions(world) + k;
+	const cni_velocity_start *moved = world->settings.solver == CN_SOLVER_SEQUENTIAL ? cni_starts(world) + k : &none;
+	return cni_is_pushed(m->dpx + s->dt * (moved->vx - m->vx), m->dpy + s->dt * (moved->vy - m->vy), (m->theta + s->dt * (moved->w - m->w)) * b->extent, s->pushed_most);
 }
 
 /* Stores velocity and rest timer, and clears the forces. Returns 1 when the body has rested long enough. */
@@ -148,7 +151,7 @@ static uint32_t body_take(cn_world *world, const cni_solve *s, int32_t k, uint32
 	int32_t pushed;
 	if (limit_speed(m, &world->settings))
 		(void)cni_atomic_add(&world->bodies_stopped, 1u);
-	pushed = body_is_pushed(world, b, m, s->dt);
+	pushed = body_is_pushed(world, s, b, k);
 	take_pose(world, cni_awake_ids(world)[k], m);
 	*rested |= body_rest(world, b, k, s, pushed);
 	return !cni_body_has_room(b, way_ahead(world, s, k));

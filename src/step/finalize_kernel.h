@@ -156,10 +156,9 @@ CNI_INLINE void lane_rest(rest_state *r, cni_body *b, const cni_motion *m, cni_e
 }
 
 /* cni_is_pushed. */
-CNI_INLINE uint32_t lanes_pushed(const cn_world *world, const body_lanes *f, float dt)
+CNI_INLINE uint32_t lanes_pushed(const cni_solve *s, const body_lanes *f)
 {
-	float most = cni_pushed_most(world, dt);
-	cni_wide step = cni_wide_of(dt), most_sq = cni_wide_of(most * most), x = f->dx - step * f->vx, y = f->dy - step * f->vy;
+	cni_wide step = cni_wide_of(s->dt), most_sq = cni_wide_of(s->pushed_most * s->pushed_most), x = f->dx - step * f->vx, y = f->dy - step * f->vy;
 	cni_wide turn = (f->turn - step * f->w) * f->extent;
 	return cni_mask_bits((x * x + y * y > most_sq) | (turn * turn > most_sq));
 }
@@ -169,7 +168,7 @@ CNI_INLINE rest_state lanes_rest(const cn_world *world, const cni_solve *s, int3
 	cni_wide slow_sq = cni_wide_of(world->settings.sleep_speed * world->settings.sleep_speed), turn = f->w * f->extent;
 	rest_state r = { 0, 0, s->dt, world->settings.sleep_delay, cni_gain_limits_make(world, s->dt), 0, 0, 0 };
 	cni_external *d = cni_externals(world) + k;
-	r.pushed = lanes_pushed(world, f, s->dt);
+	r.pushed = lanes_pushed(s, f);
 	r.slow = cni_mask_bits((f->v_sq <= slow_sq) & (turn * turn <= slow_sq)) & ~r.pushed;
 	if (r.slow != 0)
 		r.still = cni_mask_bits(~lanes_accelerate(world, k, f, s->h));

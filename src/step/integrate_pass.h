@@ -110,12 +110,6 @@ static inline int32_t cni_is_pushed(float x, float y, float turn, float most)
 	return x * x + y * y > most * most || turn * turn > most * most;
 }
 
-/* The sequential solver moves bodies before it corrects them, so the difference says nothing there. */
-static inline float cni_pushed_most(const cn_world *world, float dt)
-{
-	return world->settings.solver == CN_SOLVER_SEQUENTIAL ? FLT_MAX : CNI_PUSHED_SPEED * world->settings.length_unit * dt;
-}
-
 /* The widest kernel that this build and this processor support. NULL: none. */
 const cni_body_kernel *cni_body_kernel_choose(void);
 

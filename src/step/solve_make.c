@@ -93,6 +93,7 @@ static cni_solve make(const cn_world *world, float dt, int32_t substeps)
 	for (kind = 0; kind < CNI_CONTACTS_KINDS; ++kind)
 		s.contact[kind] = contact_pass_make(world, &s, kind);
 	s.joint = cni_soft_implicit(0.25f * s.inv_h, 2.0f, s.h);
+	s.pushed_most = dt * cni_min(set->slop * cni_soft_error_rate(&s.contact[0].soft, 1), 0.5f * set->push_speed_max); /* a slop is left */
 	s.kernel = cni_contact_kernel_choose();
 	if (CNI_HAS_JOINTS)
 		s.joint_kernel = cni_joint_kernel_choose();
@@ -109,5 +110,7 @@ cni_solve cni_solve_make_sequential(const cn_world *world, float dt)
 {
 	cni_solve s = make(world, dt, 1);
 	s.warm_scale = 0.0f;
+	s.pushed_most = world->settings.slop; /* it corrects overlaps at once */
+	s.body_kernel = NULL; /* its displacements at the end are corrections alone: finalize.c, body_is_pushed */
 	return s;
 }

@@ -217,6 +217,21 @@ static void t_fields_that_overflow(void)
 	CHECK_LE("worlds that are not valid, or with a number that is none", wrong, 0, "");
 }
 
+/* The velocity at the new centre is that of the old one plus rotation times the way between them. */
+static void t_a_spinning_body_gets_a_shape(void)
+{
+	cn_world *world = fixture_world(-10.0f, 1);
+	cn_body body = fixture_circle(world, CN_BODY_DYNAMIC, 0.0f, 5.0f, 0.5f, 0.5f, 0.0f);
+	cn_shape_def def = fixture_shape_def(body, 0.5f, 0.0f);
+	fixture_set_velocity(world, body, 0.0f, 1.0f, 3e38f);
+	def.offset_m = at(20.0f, -30.0f);
+	fixture_box_shape(world, &def, 1.0f, 1.0f);
+	CHECK_GE("mass", mass_of(world, body).mass_kg, 4.0, "kg"); /* the new centre */
+	CHECK(isfinite(fixture_velocity(world, body).linear_mps.x) && isfinite(fixture_velocity(world, body).linear_mps.y));
+	CHECK(fixture_is_valid(world));
+	cn_world_destroy(world);
+}
+
 static void t_hulls_refuse_what_is_no_radius(void)
 {
 	static const cn_vec2 square[] = { { 0.0f, 0.0f }, { 1.0f, 0.0f }, { 1.0f, 1.0f }, { 0.0f, 1.0f } };
@@ -233,6 +248,7 @@ int main(int argc, char **argv)
 	RUN(t_steps_of_no_length);
 	RUN(t_fields_that_overflow);
 	RUN(t_what_is_made_asleep_does_not_move);
+	RUN(t_a_spinning_body_gets_a_shape);
 	RUN(t_hulls_refuse_what_is_no_radius);
 	return test_end();
 }
