@@ -161,6 +161,8 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 	cni_direct_contacts_extract(world, out);
 	if (CNI_ON(JOINT_PROJECTION))
 		cni_projection_mark(world, out);
+	if (CNI_ON(HEAVY_CONTACTS))
+		cni_heavy_contacts_find(world, out);
 	world->direct_work = work_planned(world, out);
 }
 
@@ -230,6 +232,7 @@ void cni_direct_solve(cn_world *world, const cni_solve *s, int32_t bias)
 			joints_solve(world, s, c, bias);
 		}
 	}
+	cni_heavy_contacts_solve(world, s, bias);
 }
 
 void cni_direct_store(cn_world *world, const cni_solve *s)

@@ -57,6 +57,13 @@ void cni_direct_system(cn_world *world, const cni_solve *s, cni_sparse *sparse, 
 /* Lists the components that contacts may open: direct/joint_projection.c. */
 void cni_projection_mark(const cn_world *world, cni_sparse *sparse);
 
+/* ---- contacts of heavy bodies on light ones: direct/heavy_contacts.c ---- */
+
+/* Lists them and finds the response of their joints; after cni_projection_mark. */
+void cni_heavy_contacts_find(cn_world *world, cni_sparse *sparse);
+/* Solves each of them once, after the joints. */
+void cni_heavy_contacts_solve(cn_world *world, const cni_solve *s, int32_t bias);
+
 /* ---- motors and limits in the system: direct/active_rows.c ---- */
 
 /* Bits of a node's `active`. */
