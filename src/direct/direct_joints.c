@@ -162,7 +162,7 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 	if (CNI_ON(JOINT_PROJECTION))
 		cni_projection_mark(world, out);
 	if (CNI_ON(HEAVY_CONTACTS))
-		cni_heavy_contacts_find(world, out);
+		cni_heavy_contacts_find(world, s, out);
 	world->direct_work = work_planned(world, out);
 }
 

@@ -93,7 +93,7 @@ typedef struct cni_projection {
 	int32_t slot_begin, slot_end;  /* in projection_slots; CNI_NONE: not looked up in this step */
 } cni_projection;
 
-/* A contact of a heavy body on a light one of a component: direct/heavy_contacts.c. */
+/* A contact of a body with a lighter one of a component: direct/heavy_contacts.c. */
 #define CNI_HEAVY_CONTACTS_MOST 64 /* in a step */
 
 typedef struct cni_heavy_contact {

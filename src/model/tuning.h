@@ -166,6 +166,10 @@ CNI_TUNING_FLOAT(CNI_LIMIT_ROOM, 0.05f)
 CNI_TUNING_FLOAT(CNI_STIFFNESS_XI_MAX, 1.0f)
 /* Radians in a substep. Joints of bodies that turn farther may open, as the arms leave the tangent: they are projected. */
 CNI_TUNING_FLOAT(CNI_PROJECTION_TURN_RAD, 0.02f)
+/* Radians in a step. Least turn that the response of joints to a contact allows for (direct/heavy_contacts.c): its rounding. */
+CNI_TUNING_FLOAT(CNI_HEAVY_TURN_LEAST_RAD, 0.01f)
+/* Rounds between the rows of such a contact. */
+CNI_TUNING_COUNT(CNI_HEAVY_CONTACT_ROUNDS, 4)
 /* Radians in a substep. A body that turns farther may have to be locked to its neighbours: cni_geometric_stiffness_lock. */
 CNI_TUNING_FLOAT(CNI_SNAP_RAD, 0.1f)
 /* Rounds between joints and the contacts that open them, in a substep. */
