@@ -17,6 +17,8 @@
 #include "direct/direct_system.h"
 #include "model/tuning.h"
 
+#include <string.h>
+
 static float row_speed(const cni_direct_contact *p, int32_t row, const cni_motion *a, const cni_motion *b)
 {
 	cni_lever l = cni_direct_contact_lever(p, row);
@@ -25,80 +27,102 @@ static float row_speed(const cni_direct_contact *p, int32_t row, const cni_motio
 
 /* ---- the response of the joints ---- */
 
-/* Right sides that undo what an impulse does to the joints: called before (0) and after it (1). */
-static void sides_take(const cn_world *world, cni_sparse *sparse, const cni_component *c, int32_t after)
+/* Changes of velocity of the two bodies of a contact; rest stands for all others. */
+typedef struct changes {
+	int32_t ia, ib;
+	cni_motion a, b, rest;
+} changes;
+
+static changes changes_begin(const cn_world *world, const cni_contact *c)
 {
-	const cni_motion *motions = cni_motions(world);
+	const cni_contact_block *block = cni_block_at(world, c->slot / CNI_LANES);
+	changes d;
+	memset(&d, 0, sizeof d);
+	d.ia = block->ia[c->slot % CNI_LANES];
+	d.ib = block->ib[c->slot % CNI_LANES];
+	d.a.inv_mass = cni_motions(world)[d.ia].inv_mass;
+	d.a.inv_inertia = cni_motions(world)[d.ia].inv_inertia;
+	d.b.inv_mass = cni_motions(world)[d.ib].inv_mass;
+	d.b.inv_inertia = cni_motions(world)[d.ib].inv_inertia;
+	return d;
+}
+
+static cni_motion *change_of(changes *d, int32_t index)
+{
+	return index == d->ia ? &d->a : index == d->ib ? &d->b : &d->rest;
+}
+
+/* Right sides of the joints against these changes. */
+static void sides_set(const cni_sparse *sparse, const cni_component *c, changes *d)
+{
 	int32_t k;
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
-		cni_four speed = cni_levers_speed(&n->levers, motions + n->ia, motions + n->ib);
-		cni_four_store(n->x, after ? cni_four_subtract(cni_four_load(n->x), speed) : speed);
+		const cni_motion *a = change_of(d, n->ia), *b = change_of(d, n->ib);
+		if (a == b) /* rest */
+			memset(n->x, 0, sizeof n->x);
+		else
+			cni_four_store(n->x, cni_four_scale(cni_levers_speed(&n->levers, a, b), -1.0f));
 	}
 }
 
-/* Column `row` of the inverse effective mass; changes velocities. */
-static void column_find(const cn_world *world, cni_sparse *sparse, const cni_direct_contact *p, int32_t row, cni_heavy_contact *h, cni_motion *a, cni_motion *b)
+/* Adds what the joints do to these changes. */
+static void response_add(cni_sparse *sparse, const cni_component *c, changes *d)
 {
-	const cni_component *c = &sparse->components[h->component];
-	float impulse = p->mass[row], before[3];
 	int32_t k;
-	for (k = 0; k < 3; ++k)
-		before[k] = row_speed(p, k, a, b);
-	sides_take(world, sparse, c, 0);
-	cni_direct_contact_push(p, row, impulse, a, b);
-	sides_take(world, sparse, c, 1);
+	sides_set(sparse, c, d);
 	(void)cni_sparse_solve(sparse, c);
 	for (k = c->begin; k < c->end; ++k) {
 		const cni_node *n = &sparse->nodes[k];
-		cni_levers_push(&n->levers, n->x, cni_motions(world) + n->ia, cni_motions(world) + n->ib, CNI_NODE_ROWS);
+		if (change_of(d, n->ia) != change_of(d, n->ib))
+			cni_levers_push(&n->levers, n->x, change_of(d, n->ia), change_of(d, n->ib), CNI_NODE_ROWS);
 	}
-	for (k = 0; k < 3; ++k)
-		h->k[k][row] = impulse > 0.0f ? (row_speed(p, k, a, b) - before[k]) / impulse : 0.0f;
 }
 
-static void response_find(const cn_world *world, cni_sparse *sparse, const cni_direct_contact *p, cni_heavy_contact *h, cni_motion *a, cni_motion *b)
+static void response_find(const cn_world *world, cni_sparse *sparse, const cni_contact *c, const cni_direct_contact *p, cni_heavy_contact *h)
 {
-	const cni_motion old_a = *a, old_b = *b;
-	int32_t row;
-	cni_direct_motions_save(world, sparse, &sparse->components[h->component], 0);
+	int32_t row, k;
 	for (row = 0; row < 3; ++row) {
-		column_find(world, sparse, p, row, h, a, b);
-		cni_direct_motions_save(world, sparse, &sparse->components[h->component], 1);
-		*a = old_a;
-		*b = old_b;
+		changes d = changes_begin(world, c);
+		cni_direct_contact_push(p, row, p->mass[row], &d.a, &d.b);
+		response_add(sparse, &sparse->components[h->component], &d);
+		for (k = 0; k < 3; ++k)
+			h->k[k][row] = p->mass[row] > 0.0f ? row_speed(p, k, &d.a, &d.b) / p->mass[row] : 0.0f;
 	}
 }
 
 /* ---- which contacts ---- */
 
-/* 1: it bears nothing, and its points will not meet in this step. */
-static int32_t is_idle(const cn_world *world, const cni_direct_contact *p, const cni_motion *a, const cni_motion *b, float dt)
+/* 1: it bears little, and if it bears nothing, its points will not meet in this step. */
+static int32_t is_idle(const cn_world *world, const cni_solve *s, const cni_direct_contact *p, const cni_motion *a, const cni_motion *b)
 {
+	float speed = CNI_HEAVY_CONTACT_STRESS * cni_length(world->settings.gravity) * s->h;
 	int32_t k;
-	for (k = 0; k < 2; ++k)
-		if (p->j[k] > 0.0f || (p->mass[k] > 0.0f && cni_direct_contact_separation(p, k, a, b) + dt * row_speed(p, k, a, b) < world->settings.slop))
+	for (k = 0; k < 2; ++k) {
+		if (p->j[k] > speed * p->mass[k])
 			return 0;
+		if (p->mass[k] > 0.0f && p->j[k] <= 0.0f && cni_direct_contact_separation(p, k, a, b) + s->dt * row_speed(p, k, a, b) < world->settings.slop)
+			return 0;
+	}
 	return 1;
 }
 
-static void contact_take(const cn_world *world, cni_sparse *sparse, int32_t component, const cni_contact *c, float dt)
+static void contact_take(const cn_world *world, const cni_solve *s, cni_sparse *sparse, int32_t component, const cni_contact *c)
 {
-	const cni_contact_block *block = cni_block_at(world, c->slot / CNI_LANES);
 	cni_heavy_contact *h = &sparse->heavies[sparse->heavy_count];
+	const cni_contact_block *block = cni_block_at(world, c->slot / CNI_LANES);
 	int32_t l = c->slot % CNI_LANES;
-	cni_motion *a = cni_motions(world) + block->ia[l], *b = cni_motions(world) + block->ib[l];
 	cni_direct_contact p;
 	cni_direct_contact_read(world, c, &p);
-	if (is_idle(world, &p, a, b, dt))
+	if (is_idle(world, s, &p, cni_motions(world) + block->ia[l], cni_motions(world) + block->ib[l]))
 		return;
 	h->component = component;
 	h->contact = cni_block_info_at(world, p.block)->contact[l];
-	response_find(world, sparse, &p, h, a, b);
+	response_find(world, sparse, c, &p, h);
 	++sparse->heavy_count;
 }
 
-static void body_contacts_take(const cn_world *world, cni_sparse *sparse, int32_t component, int32_t index, float dt)
+static void body_contacts_take(const cn_world *world, const cni_solve *s, cni_sparse *sparse, int32_t component, int32_t index)
 {
 	const cni_body *b = cni_body_at(world, cni_awake_ids(world)[index]);
 	int32_t key, left = b->lanes;
@@ -109,7 +133,7 @@ static void body_contacts_take(const cn_world *world, cni_sparse *sparse, int32_
 			continue;
 		--left;
 		if (other->inv_mass > 0.0f && other->inv_mass < cni_motions(world)[index].inv_mass && cni_direct_lane_is_plain(world, c))
-			contact_take(world, sparse, component, c, dt);
+			contact_take(world, s, sparse, component, c);
 	}
 }
 
@@ -119,7 +143,7 @@ void cni_heavy_contacts_find(const cn_world *world, const cni_solve *s, cni_spar
 	for (k = 0; k < sparse->projection_count; ++k) {
 		const cni_component *c = &sparse->components[sparse->projections[k].component];
 		for (n = c->body_begin; n < c->body_end && !c->batches; ++n)
-			body_contacts_take(world, sparse, sparse->projections[k].component, sparse->bodies[n], s->dt);
+			body_contacts_take(world, s, sparse, sparse->projections[k].component, sparse->bodies[n]);
 	}
 }
 
@@ -174,13 +198,15 @@ static void rows_solve(const cni_solve *s, const cni_heavy_contact *h, cni_direc
 		}
 }
 
-static void impulses_apply(cn_world *world, const cni_solve *s, cni_component *c, const cni_direct_contact *p, cni_motion *a, cni_motion *b)
+static void impulses_apply(cn_world *world, const cni_solve *s, cni_component *c, const cni_direct_contact *p, changes *d)
 {
+	cni_motion *motions = cni_motions(world);
 	int32_t row;
-	sides_take(world, s->direct, c, 0);
-	for (row = 0; row < 3; ++row)
-		cni_direct_contact_push(p, row, p->j[row] - p->first[row], a, b);
-	sides_take(world, s->direct, c, 1);
+	for (row = 0; row < 3; ++row) {
+		cni_direct_contact_push(p, row, p->j[row] - p->first[row], &d->a, &d->b);
+		cni_direct_contact_push(p, row, p->j[row] - p->first[row], motions + d->ia, motions + d->ib);
+	}
+	sides_set(s->direct, c, d);
 	if (!cni_direct_apply(world, s->direct, c))
 		cni_component_suspend(world, s->direct, c, 0);
 	else if (c->active)
@@ -192,15 +218,15 @@ static void contact_solve(cn_world *world, const cni_solve *s, const cni_heavy_c
 	cni_component *c = &s->direct->components[h->component];
 	const cni_contact *contact = cni_contact_at(world, h->contact);
 	cni_contact_block *block = cni_block_at(world, contact->slot / CNI_LANES);
+	changes d = changes_begin(world, contact);
 	int32_t l = contact->slot % CNI_LANES, k;
-	cni_motion *a = cni_motions(world) + block->ia[l], *b = cni_motions(world) + block->ib[l];
 	cni_direct_contact p;
 	if (c->done)
 		return;
 	cni_direct_contact_read(world, contact, &p);
-	rows_solve(s, h, &p, a, b, turn_of(world, s->direct, c), bias);
+	rows_solve(s, h, &p, cni_motions(world) + d.ia, cni_motions(world) + d.ib, turn_of(world, s->direct, c), bias);
 	if (p.j[0] != p.first[0] || p.j[1] != p.first[1] || p.j[2] != p.first[2])
-		impulses_apply(world, s, c, &p, a, b);
+		impulses_apply(world, s, c, &p, &d);
 	block->jt[l] = p.j[2];
 	for (k = 0; k < 2; ++k)
 		block->p[k].jn[l] = block->p[k].load[l] = p.j[k];
