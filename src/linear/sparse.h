@@ -94,7 +94,7 @@ typedef struct cni_projection {
 } cni_projection;
 
 /* A contact of a body with a lighter one of a component: direct/heavy_contacts.c. */
-#define CNI_HEAVY_CONTACTS_MOST 64 /* in a step */
+#define CNI_HEAVY_CONTACTS_MOST 32 /* in a step */
 
 typedef struct cni_heavy_contact {
 	int32_t component, contact;

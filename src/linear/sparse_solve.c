@@ -304,6 +304,8 @@ CNI_INLINE int32_t solve(cni_sparse *s, const cni_component *c, int32_t w)
 	float sums[4];
 	for (k = c->begin; k < c->end; ++k) {
 		cni_four x = cni_four_load(nodes[k].x);
+		if (nodes[k].x[0] == 0.0f && nodes[k].x[1] == 0.0f && nodes[k].x[2] == 0.0f)
+			continue; /* right sides of few nodes: direct/heavy_contacts.c */
 		for (e = s->first[k]; e < s->first[k + 1]; ++e) {
 			factor_rows columns = columns_of(block_at(&r, e, w), w);
 			float *y = nodes[s->below[e]].x;
