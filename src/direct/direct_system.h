@@ -60,7 +60,7 @@ void cni_projection_mark(const cn_world *world, cni_sparse *sparse);
 /* ---- contacts with lighter bodies of components: direct/heavy_contacts.c ---- */
 
 /* Lists them and finds the response of the joints; after cni_projection_mark. */
-void cni_heavy_contacts_find(const cn_world *world, const cni_solve *s, cni_sparse *sparse);
+void cni_heavy_contacts_find(cn_world *world, const cni_solve *s, cni_sparse *sparse);
 /* Solves each of them once, after the joints. */
 void cni_heavy_contacts_solve(cn_world *world, const cni_solve *s, int32_t bias);
 

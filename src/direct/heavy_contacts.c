@@ -137,13 +137,22 @@ static void body_contacts_take(const cn_world *world, const cni_solve *s, cni_sp
 	}
 }
 
-void cni_heavy_contacts_find(const cn_world *world, const cni_solve *s, cni_sparse *sparse)
+/* Motors and limits may leave the set: the response is without them, or the impulse of a contact would be too large then. */
+void cni_heavy_contacts_find(cn_world *world, const cni_solve *s, cni_sparse *sparse)
 {
 	int32_t k, n;
 	for (k = 0; k < sparse->projection_count; ++k) {
-		const cni_component *c = &sparse->components[sparse->projections[k].component];
-		for (n = c->body_begin; n < c->body_end && !c->batches; ++n)
+		cni_component *c = &sparse->components[sparse->projections[k].component];
+		if (c->batches)
+			continue;
+		if (c->active) {
+			cni_active_clear(world, sparse, c);
+			cni_sparse_factor(sparse, c, cni_motions(world));
+		}
+		for (n = c->body_begin; n < c->body_end; ++n)
 			body_contacts_take(world, s, sparse, sparse->projections[k].component, sparse->bodies[n]);
+		if (c->active)
+			cni_direct_system(world, s, sparse, c);
 	}
 }
 

@@ -265,12 +265,13 @@ static void build_hinged_tower(scene *s)
 	s->friction = pick(s, 0.2, 1.0);
 	add_floor(s);
 	for (k = 0; k < boxes; ++k) {
-		double y = half * (2.0 * (double)k + 1.0), give = pick(s, 0.1, 0.8), side = (double)pick_int(s, -1, 1);
+		double y = half * (2.0 * (double)k + 1.0), give = pick(s, 0.05, 0.8), side = (double)pick_int(s, -1, 1);
 		int32_t box;
+		s->joint_flags = chance(s, 0.5) ? CN_JOINT_COLLIDE : 0;
 		s->density = pick_log(s, 1.0, ratio);
 		box = add_box(s, CN_BODY_DYNAMIC, 0.0, y, 0.0, half, half);
 		if (k > 0)
-			add_pin_limited(s, previous, box, side * half, y - half, side < 0.0 ? 0.0 : -give, side > 0.0 ? 0.0 : give);
+			add_pin_limited(s, previous, box, side * half, y - half, -give, give);
 		set_velocity(s, box, -spin * y, 0.0, spin);
 		previous = box;
 	}
