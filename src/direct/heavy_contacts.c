@@ -79,6 +79,13 @@ static void response_add(cni_sparse *sparse, const cni_component *c, changes *d)
 	}
 }
 
+/* Inverse effective mass of a row if the lighter body were fixed. */
+static float heavier_inverse_mass(const cni_direct_contact *p, int32_t row, const changes *d)
+{
+	cni_lever l = cni_direct_contact_lever(p, row);
+	return d->a.inv_mass < d->b.inv_mass ? cni_lever_inverse_mass(&l, &d->a, &d->rest) : cni_lever_inverse_mass(&l, &d->rest, &d->b);
+}
+
 static void response_find(const cn_world *world, cni_sparse *sparse, const cni_contact *c, const cni_direct_contact *p, cni_heavy_contact *h)
 {
 	int32_t row, k;
@@ -88,6 +95,7 @@ static void response_find(const cn_world *world, cni_sparse *sparse, const cni_c
 		response_add(sparse, &sparse->components[h->component], &d);
 		for (k = 0; k < 3; ++k)
 			h->k[k][row] = p->mass[row] > 0.0f ? row_speed(p, k, &d.a, &d.b) / p->mass[row] : 0.0f;
+		h->k[row][row] = cni_max(h->k[row][row], heavier_inverse_mass(p, row, &d));
 	}
 }
 
@@ -158,10 +166,10 @@ void cni_heavy_contacts_find(cn_world *world, const cni_solve *s, cni_sparse *sp
 
 /* ---- a pass ---- */
 
-/* The farthest turn of the component's bodies in this step; at least the rounding of the response. */
+/* The farthest turn of the component's bodies in this step. */
 static float turn_of(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
-	float most = CNI_HEAVY_TURN_LEAST_RAD;
+	float most = 0.0f;
 	int32_t k;
 	for (k = c->body_begin; k < c->body_end; ++k)
 		most = cni_max(most, cni_abs(cni_motions(world)[sparse->bodies[k]].theta));
@@ -186,23 +194,31 @@ static float friction_target(const cni_direct_contact *p, float m, float speed)
 	return cni_abs(target) <= p->static_friction * normal ? target : cni_clamp(target, -slide, slide);
 }
 
+/* Inverse mass of a row: what its response may have become with this turn. */
+static float row_inverse_mass(const cni_heavy_contact *h, const cni_direct_contact *p, int32_t row, float turn)
+{
+	float root = cni_sqrt(h->k[row][row]) + turn / cni_sqrt(p->mass[row]);
+	return root * root;
+}
+
 static void rows_solve(const cni_solve *s, const cni_heavy_contact *h, cni_direct_contact *p, const cni_motion *a, const cni_motion *b, float turn, int32_t bias)
 {
-	float u[3], target, root;
+	float u[3];
 	int32_t round, row, k;
 	for (k = 0; k < 3; ++k)
 		u[k] = row_speed(p, k, a, b);
 	for (round = 0; round < CNI_HEAVY_CONTACT_ROUNDS; ++round)
 		for (row = 0; row < 3; ++row) {
+			float own, target;
 			if (p->mass[row] <= 0.0f)
 				continue;
-			root = cni_sqrt(cni_max(h->k[row][row], 0.0f)) + turn / cni_sqrt(p->mass[row]);
+			own = row_inverse_mass(h, p, row, turn);
 			if (row < 2)
-				target = normal_target(s, p, row, 1.0f / (root * root), u[row], cni_direct_contact_separation(p, row, a, b), bias);
+				target = normal_target(s, p, row, 1.0f / own, u[row], cni_direct_contact_separation(p, row, a, b), bias);
 			else
-				target = friction_target(p, 1.0f / (root * root), u[row]);
+				target = friction_target(p, 1.0f / own, u[row]);
 			for (k = 0; k < 3; ++k)
-				u[k] += h->k[k][row] * (target - p->j[row]);
+				u[k] += (k == row ? own : h->k[k][row]) * (target - p->j[row]);
 			p->j[row] = target;
 		}
 }

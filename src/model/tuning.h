@@ -166,9 +166,6 @@ CNI_TUNING_FLOAT(CNI_LIMIT_ROOM, 0.05f)
 CNI_TUNING_FLOAT(CNI_STIFFNESS_XI_MAX, 1.0f)
 /* Radians in a substep. Joints of bodies that turn farther may open, as the arms leave the tangent: they are projected. */
 CNI_TUNING_FLOAT(CNI_PROJECTION_TURN_RAD, 0.02f)
-/* Radians in a step. Least turn that the response of joints to a contact allows for (direct/heavy_contacts.c): a contact has at most the mass of
-   100 times its free bodies. Contacts beside a hinge of their bodies would have any: with 0.01 two of 100 hinged towers gain energy. */
-CNI_TUNING_FLOAT(CNI_HEAVY_TURN_LEAST_RAD, 0.1f)
 /* Own weights of the lighter body, in a substep. Contacts that bear less are left to the kernel: mechanisms take 3.8 times as long as soft
    ones, 4.1 times with 0. With 10 a contact at 240 substeps a second yields by 3 mm. */
 CNI_TUNING_FLOAT(CNI_HEAVY_CONTACT_STRESS, 10.0f)
