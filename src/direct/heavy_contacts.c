@@ -1,13 +1,15 @@
 /*
- * direct/heavy_contacts.c - contacts of bodies with lighter ones that exact joints hold, solved with the response of the joints.
+ * direct/heavy_contacts.c - contacts with lighter bodies that exact joints hold, solved with the response of the joints.
  *
  * The contact kernel takes the stiffness and the steps of a contact from the masses of its two bodies. A box that falls on a light board of a
  * cantilever sinks by the ratio of their masses: a pass stops as much of it as the board weighs, and the contact yields as if the board
  * were free. Here such a contact has its 3 x 3 inverse effective mass (two normals, friction) with the joints: one solution of their system
  * for each row, once a step. Each pass solves it after the joints and applies its impulses through the joints, which stay closed.
  *
- * In the substeps the joints turn away from that response. A turn by d changes the square root of a row's inverse mass by at most d times
- * that of the free bodies. Rows take this bound, so no step is too long: it approaches those of the kernel where a structure turns fast.
+ * No step may be too long, or the impulses grow from pass to pass. The response is therefore found without motors and limits, which may
+ * leave the active set. A row has at most the mass that it would have if the lighter body were fixed: beside a hinge of both bodies the
+ * joints would give it any. And in the substeps the joints turn away from the response: a turn by d changes the square root of a row's
+ * inverse mass by at most d times that of the free bodies. Where that may be a large part, the response is found again.
  *
  * The kernel's passes include these lanes. Their loads equal their impulses, so there they do not yield.
  *
@@ -27,23 +29,31 @@ static float row_speed(const cni_direct_contact *p, int32_t row, const cni_motio
 
 /* ---- the response of the joints ---- */
 
-/* Changes of velocity of the two bodies of a contact; rest stands for all others. */
+/* A contact's lane, and changes of velocity of its two bodies; rest stands for all others. */
 typedef struct changes {
-	int32_t ia, ib;
+	cni_contact_block *block;
+	int32_t l, ia, ib;
 	cni_motion a, b, rest;
 } changes;
 
-static changes changes_begin(const cn_world *world, const cni_contact *c)
+static cni_motion at_rest(const cni_motion *m)
 {
-	const cni_contact_block *block = cni_block_at(world, c->slot / CNI_LANES);
+	cni_motion still = *m;
+	still.vx = still.vy = still.w = 0.0f;
+	return still;
+}
+
+static changes changes_begin(const cn_world *world, int32_t contact)
+{
+	int32_t slot = cni_contact_at(world, contact)->slot;
 	changes d;
-	memset(&d, 0, sizeof d);
-	d.ia = block->ia[c->slot % CNI_LANES];
-	d.ib = block->ib[c->slot % CNI_LANES];
-	d.a.inv_mass = cni_motions(world)[d.ia].inv_mass;
-	d.a.inv_inertia = cni_motions(world)[d.ia].inv_inertia;
-	d.b.inv_mass = cni_motions(world)[d.ib].inv_mass;
-	d.b.inv_inertia = cni_motions(world)[d.ib].inv_inertia;
+	d.block = cni_block_at(world, slot / CNI_LANES);
+	d.l = slot % CNI_LANES;
+	d.ia = d.block->ia[d.l];
+	d.ib = d.block->ib[d.l];
+	d.a = at_rest(cni_motions(world) + d.ia);
+	d.b = at_rest(cni_motions(world) + d.ib);
+	memset(&d.rest, 0, sizeof d.rest);
 	return d;
 }
 
@@ -58,24 +68,21 @@ static void sides_set(const cni_sparse *sparse, const cni_component *c, changes 
 	int32_t k;
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
-		const cni_motion *a = change_of(d, n->ia), *b = change_of(d, n->ib);
-		if (a == b) /* rest */
-			memset(n->x, 0, sizeof n->x);
-		else
-			cni_four_store(n->x, cni_four_scale(cni_levers_speed(&n->levers, a, b), -1.0f));
+		cni_four_store(n->x, cni_four_scale(cni_levers_speed(&n->levers, change_of(d, n->ia), change_of(d, n->ib)), -1.0f));
 	}
 }
 
-/* Adds what the joints do to these changes. */
+/* Adds what the joints do to these changes; nothing where they have no finite solution. */
 static void response_add(cni_sparse *sparse, const cni_component *c, changes *d)
 {
 	int32_t k;
 	sides_set(sparse, c, d);
-	(void)cni_sparse_solve(sparse, c);
+	if (!cni_sparse_solve(sparse, c))
+		return;
 	for (k = c->begin; k < c->end; ++k) {
 		const cni_node *n = &sparse->nodes[k];
-		if (change_of(d, n->ia) != change_of(d, n->ib))
-			cni_levers_push(&n->levers, n->x, change_of(d, n->ia), change_of(d, n->ib), CNI_NODE_ROWS);
+		cni_levers_push(&n->levers, n->x, change_of(d, n->ia), change_of(d, n->ib), CNI_NODE_ROWS);
+		d->rest = at_rest(&d->rest);
 	}
 }
 
@@ -86,86 +93,6 @@ static float heavier_inverse_mass(const cni_direct_contact *p, int32_t row, cons
 	return d->a.inv_mass < d->b.inv_mass ? cni_lever_inverse_mass(&l, &d->a, &d->rest) : cni_lever_inverse_mass(&l, &d->rest, &d->b);
 }
 
-static void response_find(const cn_world *world, cni_sparse *sparse, const cni_contact *c, const cni_direct_contact *p, cni_heavy_contact *h)
-{
-	int32_t row, k;
-	for (row = 0; row < 3; ++row) {
-		changes d = changes_begin(world, c);
-		cni_direct_contact_push(p, row, p->mass[row], &d.a, &d.b);
-		response_add(sparse, &sparse->components[h->component], &d);
-		for (k = 0; k < 3; ++k)
-			h->k[k][row] = p->mass[row] > 0.0f ? row_speed(p, k, &d.a, &d.b) / p->mass[row] : 0.0f;
-		h->k[row][row] = cni_max(h->k[row][row], heavier_inverse_mass(p, row, &d));
-	}
-}
-
-/* ---- which contacts ---- */
-
-/* 1: it bears little, and if it bears nothing, its points will not meet in this step. */
-static int32_t is_idle(const cn_world *world, const cni_solve *s, const cni_direct_contact *p, const cni_motion *a, const cni_motion *b)
-{
-	float speed = CNI_HEAVY_CONTACT_STRESS * cni_length(world->settings.gravity) * s->h;
-	int32_t k;
-	for (k = 0; k < 2; ++k) {
-		if (p->j[k] > speed * p->mass[k])
-			return 0;
-		if (p->mass[k] > 0.0f && p->j[k] <= 0.0f && cni_direct_contact_separation(p, k, a, b) + s->dt * row_speed(p, k, a, b) < world->settings.slop)
-			return 0;
-	}
-	return 1;
-}
-
-static void contact_take(const cn_world *world, const cni_solve *s, cni_sparse *sparse, int32_t component, const cni_contact *c)
-{
-	cni_heavy_contact *h = &sparse->heavies[sparse->heavy_count];
-	const cni_contact_block *block = cni_block_at(world, c->slot / CNI_LANES);
-	int32_t l = c->slot % CNI_LANES;
-	cni_direct_contact p;
-	cni_direct_contact_read(world, c, &p);
-	if (is_idle(world, s, &p, cni_motions(world) + block->ia[l], cni_motions(world) + block->ib[l]))
-		return;
-	h->component = component;
-	h->contact = cni_block_info_at(world, p.block)->contact[l];
-	response_find(world, sparse, c, &p, h);
-	++sparse->heavy_count;
-}
-
-static void body_contacts_take(const cn_world *world, const cni_solve *s, cni_sparse *sparse, int32_t component, int32_t index)
-{
-	const cni_body *b = cni_body_at(world, cni_awake_ids(world)[index]);
-	int32_t key, left = b->lanes;
-	for (key = b->contact_first; left > 0 && sparse->heavy_count < CNI_HEAVY_CONTACTS_MOST; key = cni_contact_of_key(world, key)->next[key & 1]) {
-		const cni_contact *c = cni_contact_of_key(world, key);
-		const cni_motion *other = cni_motions(world) + cni_body_at(world, c->body[1 - (key & 1)])->awake;
-		if (!cni_contact_has_lane(c))
-			continue;
-		--left;
-		if (other->inv_mass > 0.0f && other->inv_mass < cni_motions(world)[index].inv_mass && cni_direct_lane_is_plain(world, c))
-			contact_take(world, s, sparse, component, c);
-	}
-}
-
-/* Motors and limits may leave the set: the response is without them, or the impulse of a contact would be too large then. */
-void cni_heavy_contacts_find(cn_world *world, const cni_solve *s, cni_sparse *sparse)
-{
-	int32_t k, n;
-	for (k = 0; k < sparse->projection_count; ++k) {
-		cni_component *c = &sparse->components[sparse->projections[k].component];
-		if (c->batches)
-			continue;
-		if (c->active) {
-			cni_active_clear(world, sparse, c);
-			cni_sparse_factor(sparse, c, cni_motions(world));
-		}
-		for (n = c->body_begin; n < c->body_end; ++n)
-			body_contacts_take(world, s, sparse, sparse->projections[k].component, sparse->bodies[n]);
-		if (c->active)
-			cni_direct_system(world, s, sparse, c);
-	}
-}
-
-/* ---- a pass ---- */
-
 /* The farthest turn of the component's bodies in this step. */
 static float turn_of(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
@@ -175,6 +102,90 @@ static float turn_of(const cn_world *world, const cni_sparse *sparse, const cni_
 		most = cni_max(most, cni_abs(cni_motions(world)[sparse->bodies[k]].theta));
 	return most;
 }
+
+static void response_find(const cn_world *world, cni_sparse *sparse, cni_heavy_contact *h)
+{
+	cni_direct_contact p;
+	int32_t row, k;
+	cni_direct_contact_read(world, cni_contact_at(world, h->contact), &p);
+	for (row = 0; row < 3; ++row) {
+		changes d = changes_begin(world, h->contact);
+		cni_direct_contact_push(&p, row, p.mass[row], &d.a, &d.b);
+		response_add(sparse, &sparse->components[h->component], &d);
+		for (k = 0; k < 3; ++k)
+			h->k[k][row] = p.mass[row] > 0.0f ? row_speed(&p, k, &d.a, &d.b) / p.mass[row] : 0.0f;
+		h->k[row][row] = cni_max(h->k[row][row], heavier_inverse_mass(&p, row, &d));
+		h->turn_most = cni_min(row > 0 ? h->turn_most : FLT_MAX, p.mass[row] > 0.0f ? CNI_HEAVY_TURN_PART * cni_sqrt(p.mass[row] * h->k[row][row]) : FLT_MAX);
+	}
+	h->turn_most += turn_of(world, sparse, &sparse->components[h->component]);
+}
+
+/* Of the contacts begin to end - 1, which are those of one component. */
+static void responses_find(cn_world *world, const cni_solve *s, cni_sparse *sparse, int32_t begin, int32_t end)
+{
+	cni_component *c = &sparse->components[sparse->heavies[begin].component];
+	int32_t k;
+	if (c->active) {
+		cni_active_clear(world, sparse, c);
+		cni_sparse_factor(sparse, c, cni_motions(world));
+	}
+	for (k = begin; k < end; ++k)
+		response_find(world, sparse, &sparse->heavies[k]);
+	if (c->active)
+		cni_direct_system(world, s, sparse, c);
+}
+
+/* ---- which contacts ---- */
+
+/* 1: it bears more than a few weights, or it bears nothing and its points may meet in this step. */
+static int32_t is_pressed(const cn_world *world, const cni_solve *s, const cni_contact *c, int32_t contact)
+{
+	float speed = CNI_HEAVY_CONTACT_STRESS * cni_length(world->settings.gravity) * s->h;
+	changes d = changes_begin(world, contact);
+	const cni_motion *a = cni_motions(world) + d.ia, *b = cni_motions(world) + d.ib;
+	cni_direct_contact p;
+	int32_t k;
+	cni_direct_contact_read(world, c, &p);
+	for (k = 0; k < 2; ++k) {
+		if (p.j[k] > speed * p.mass[k])
+			return 1;
+		if (p.mass[k] > 0.0f && p.j[k] <= 0.0f && cni_direct_contact_separation(&p, k, a, b) + s->dt * row_speed(&p, k, a, b) < world->settings.slop)
+			return 1;
+	}
+	return 0;
+}
+
+static void body_contacts_list(const cn_world *world, const cni_solve *s, cni_sparse *sparse, int32_t component, int32_t index)
+{
+	const cni_body *b = cni_body_at(world, cni_awake_ids(world)[index]);
+	int32_t key, left = b->lanes;
+	for (key = b->contact_first; left > 0 && sparse->heavy_count < CNI_HEAVY_CONTACTS_MOST; key = cni_contact_of_key(world, key)->next[key & 1]) {
+		const cni_contact *c = cni_contact_of_key(world, key);
+		const cni_motion *other = cni_motions(world) + cni_body_at(world, c->body[1 - (key & 1)])->awake;
+		if (!cni_contact_has_lane(c))
+			continue;
+		--left;
+		if (other->inv_mass == 0.0f || other->inv_mass >= cni_motions(world)[index].inv_mass || !cni_direct_lane_is_plain(world, c) || !is_pressed(world, s, c, key >> 1))
+			continue;
+		sparse->heavies[sparse->heavy_count].component = component;
+		sparse->heavies[sparse->heavy_count++].contact = key >> 1;
+	}
+}
+
+void cni_heavy_contacts_find(cn_world *world, const cni_solve *s, cni_sparse *sparse)
+{
+	int32_t k, n, first;
+	for (k = 0; k < sparse->projection_count; ++k) {
+		const cni_component *c = &sparse->components[sparse->projections[k].component];
+		first = sparse->heavy_count;
+		for (n = c->body_begin; n < c->body_end && !c->batches; ++n)
+			body_contacts_list(world, s, sparse, sparse->projections[k].component, sparse->bodies[n]);
+		if (sparse->heavy_count > first)
+			responses_find(world, s, sparse, first, sparse->heavy_count);
+	}
+}
+
+/* ---- a pass ---- */
 
 /* Target of a normal impulse: a pass as in contacts/contact_kernel.h, without load and hardening, with the mass m. */
 static float normal_target(const cni_solve *s, const cni_direct_contact *p, int32_t row, float m, float speed, float separation, int32_t bias)
@@ -194,14 +205,7 @@ static float friction_target(const cni_direct_contact *p, float m, float speed)
 	return cni_abs(target) <= p->static_friction * normal ? target : cni_clamp(target, -slide, slide);
 }
 
-/* Inverse mass of a row: what its response may have become with this turn. */
-static float row_inverse_mass(const cni_heavy_contact *h, const cni_direct_contact *p, int32_t row, float turn)
-{
-	float root = cni_sqrt(h->k[row][row]) + turn / cni_sqrt(p->mass[row]);
-	return root * root;
-}
-
-static void rows_solve(const cni_solve *s, const cni_heavy_contact *h, cni_direct_contact *p, const cni_motion *a, const cni_motion *b, float turn, int32_t bias)
+static void rows_solve(const cni_solve *s, const cni_heavy_contact *h, cni_direct_contact *p, const cni_motion *a, const cni_motion *b, int32_t bias)
 {
 	float u[3];
 	int32_t round, row, k;
@@ -209,16 +213,15 @@ static void rows_solve(const cni_solve *s, const cni_heavy_contact *h, cni_direc
 		u[k] = row_speed(p, k, a, b);
 	for (round = 0; round < CNI_HEAVY_CONTACT_ROUNDS; ++round)
 		for (row = 0; row < 3; ++row) {
-			float own, target;
+			float target;
 			if (p->mass[row] <= 0.0f)
 				continue;
-			own = row_inverse_mass(h, p, row, turn);
 			if (row < 2)
-				target = normal_target(s, p, row, 1.0f / own, u[row], cni_direct_contact_separation(p, row, a, b), bias);
+				target = normal_target(s, p, row, 1.0f / h->k[row][row], u[row], cni_direct_contact_separation(p, row, a, b), bias);
 			else
-				target = friction_target(p, 1.0f / own, u[row]);
+				target = friction_target(p, 1.0f / h->k[2][2], u[2]);
 			for (k = 0; k < 3; ++k)
-				u[k] += (k == row ? own : h->k[k][row]) * (target - p->j[row]);
+				u[k] += h->k[k][row] * (target - p->j[row]);
 			p->j[row] = target;
 		}
 }
@@ -241,25 +244,42 @@ static void impulses_apply(cn_world *world, const cni_solve *s, cni_component *c
 static void contact_solve(cn_world *world, const cni_solve *s, const cni_heavy_contact *h, int32_t bias)
 {
 	cni_component *c = &s->direct->components[h->component];
-	const cni_contact *contact = cni_contact_at(world, h->contact);
-	cni_contact_block *block = cni_block_at(world, contact->slot / CNI_LANES);
-	changes d = changes_begin(world, contact);
-	int32_t l = contact->slot % CNI_LANES, k;
+	changes d = changes_begin(world, h->contact);
 	cni_direct_contact p;
+	int32_t k;
 	if (c->done)
 		return;
-	cni_direct_contact_read(world, contact, &p);
-	rows_solve(s, h, &p, cni_motions(world) + d.ia, cni_motions(world) + d.ib, turn_of(world, s->direct, c), bias);
+	cni_direct_contact_read(world, cni_contact_at(world, h->contact), &p);
+	rows_solve(s, h, &p, cni_motions(world) + d.ia, cni_motions(world) + d.ib, bias);
 	if (p.j[0] != p.first[0] || p.j[1] != p.first[1] || p.j[2] != p.first[2])
 		impulses_apply(world, s, c, &p, &d);
-	block->jt[l] = p.j[2];
+	d.block->jt[d.l] = p.j[2];
 	for (k = 0; k < 2; ++k)
-		block->p[k].jn[l] = block->p[k].load[l] = p.j[k];
+		d.block->p[k].jn[d.l] = d.block->p[k].load[d.l] = p.j[k];
+}
+
+/* Contacts begin to end - 1, which are those of one component. */
+static void component_solve(cn_world *world, const cni_solve *s, int32_t begin, int32_t end, int32_t bias)
+{
+	const cni_heavy_contact *heavies = s->direct->heavies;
+	const cni_component *c = &s->direct->components[heavies[begin].component];
+	float turn = turn_of(world, s->direct, c);
+	int32_t k, stale = 0;
+	for (k = begin; k < end && !bias && !c->done; ++k)
+		stale |= turn > heavies[k].turn_most;
+	if (stale)
+		responses_find(world, s, s->direct, begin, end);
+	for (k = begin; k < end; ++k)
+		contact_solve(world, s, &heavies[k], bias);
 }
 
 void cni_heavy_contacts_solve(cn_world *world, const cni_solve *s, int32_t bias)
 {
-	int32_t k;
-	for (k = 0; k < s->direct->heavy_count; ++k)
-		contact_solve(world, s, &s->direct->heavies[k], bias);
+	const cni_heavy_contact *heavies = s->direct->heavies;
+	int32_t begin, end;
+	for (begin = 0; begin < s->direct->heavy_count; begin = end) {
+		for (end = begin + 1; end < s->direct->heavy_count && heavies[end].component == heavies[begin].component; ++end)
+			;
+		component_solve(world, s, begin, end, bias);
+	}
 }

@@ -98,6 +98,7 @@ typedef struct cni_projection {
 
 typedef struct cni_heavy_contact {
 	int32_t component, contact;
+	float turn_most; /* rad: farthest turn of the component's bodies in this step until k is found again */
 	float k[3][3]; /* inverse effective mass of its rows with the component's joints */
 } cni_heavy_contact;
 

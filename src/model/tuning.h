@@ -169,6 +169,8 @@ CNI_TUNING_FLOAT(CNI_PROJECTION_TURN_RAD, 0.02f)
 /* Own weights of the lighter body, in a substep. Contacts that bear less are left to the kernel: mechanisms take 3.8 times as long as soft
    ones, 4.1 times with 0. With 10 a contact at 240 substeps a second yields by 3 mm. */
 CNI_TUNING_FLOAT(CNI_HEAVY_CONTACT_STRESS, 10.0f)
+/* Part by which the root of such a contact's inverse mass may change, as joints turn, until their response is found again. */
+CNI_TUNING_FLOAT(CNI_HEAVY_TURN_PART, 0.3f)
 /* Rounds between the rows of such a contact. */
 CNI_TUNING_COUNT(CNI_HEAVY_CONTACT_ROUNDS, 4)
 /* Radians in a substep. A body that turns farther may have to be locked to its neighbours: cni_geometric_stiffness_lock. */
