@@ -7,9 +7,9 @@
  * for each row, once a step. Each pass solves it after the joints and applies its impulses through the joints, which stay closed.
  *
  * No step may be too long, or the impulses grow from pass to pass. The response is therefore found without motors and limits, which may
- * leave the active set. A row has at most the mass that it would have if the lighter body were fixed: beside a hinge of both bodies the
- * joints would give it any. And in the substeps the joints turn away from the response: a turn by d changes the square root of a row's
- * inverse mass by at most d times that of the free bodies. Where that may be a large part, the response is found again.
+ * leave the active set. Two bodies of one component have at most the mass of free ones: beside their hinge it would be any. In the substeps
+ * the joints turn away from the response: a turn by d changes the square root of a row's inverse mass by at most d times that of the free
+ * bodies. Where that may be a large part, the response is found again.
  *
  * The kernel's passes include these lanes. Their loads equal their impulses, so there they do not yield.
  *
@@ -20,6 +20,8 @@
 #include "model/tuning.h"
 
 #include <string.h>
+
+#define INVERSE_MASS_LEAST 1e-4f /* of a row, as a part of that of the free bodies: less is rounding */
 
 static float row_speed(const cni_direct_contact *p, int32_t row, const cni_motion *a, const cni_motion *b)
 {
@@ -86,13 +88,6 @@ static void response_add(cni_sparse *sparse, const cni_component *c, changes *d)
 	}
 }
 
-/* Inverse effective mass of a row if the lighter body were fixed. */
-static float heavier_inverse_mass(const cni_direct_contact *p, int32_t row, const changes *d)
-{
-	cni_lever l = cni_direct_contact_lever(p, row);
-	return d->a.inv_mass < d->b.inv_mass ? cni_lever_inverse_mass(&l, &d->a, &d->rest) : cni_lever_inverse_mass(&l, &d->rest, &d->b);
-}
-
 /* The farthest turn of the component's bodies in this step. */
 static float turn_of(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
@@ -108,14 +103,18 @@ static void response_find(const cn_world *world, cni_sparse *sparse, cni_heavy_c
 	cni_direct_contact p;
 	int32_t row, k;
 	cni_direct_contact_read(world, cni_contact_at(world, h->contact), &p);
+	h->turn_most = FLT_MAX;
 	for (row = 0; row < 3; ++row) {
 		changes d = changes_begin(world, h->contact);
+		float least = sparse->projection_of[d.ia] == sparse->projection_of[d.ib] ? 1.0f : INVERSE_MASS_LEAST;
+		if (p.mass[row] <= 0.0f)
+			continue;
 		cni_direct_contact_push(&p, row, p.mass[row], &d.a, &d.b);
 		response_add(sparse, &sparse->components[h->component], &d);
 		for (k = 0; k < 3; ++k)
-			h->k[k][row] = p.mass[row] > 0.0f ? row_speed(&p, k, &d.a, &d.b) / p.mass[row] : 0.0f;
-		h->k[row][row] = cni_max(h->k[row][row], heavier_inverse_mass(&p, row, &d));
-		h->turn_most = cni_min(row > 0 ? h->turn_most : FLT_MAX, p.mass[row] > 0.0f ? CNI_HEAVY_TURN_PART * cni_sqrt(p.mass[row] * h->k[row][row]) : FLT_MAX);
+			h->k[k][row] = row_speed(&p, k, &d.a, &d.b) / p.mass[row];
+		h->k[row][row] = cni_max(h->k[row][row], least / p.mass[row]);
+		h->turn_most = cni_min(h->turn_most, CNI_HEAVY_TURN_PART * cni_sqrt(p.mass[row] * h->k[row][row]));
 	}
 	h->turn_most += turn_of(world, sparse, &sparse->components[h->component]);
 }
