@@ -1,9 +1,10 @@
 /*
  * test/world/direct_contacts_test.c - what is promised of contacts that are solved directly, alone and among joints:
- * stacks, walls, random scenes, the same bits in a fixed block; and of contacts that would part joints.
+ * stacks, walls, random scenes, the same bits in a fixed block; of contacts that would part joints, or press on light bodies that joints
+ * hold.
  *
  * If a test here fails, run linear/sparse and world/direct first. Then look in: direct/solver_selection.c and direct_contacts.c,
- * joint_projection.c (hard stops), direct_joints.c (loaded bridges).
+ * joint_projection.c (hard stops), direct_joints.c (loaded bridges), heavy_contacts.c (light boards and arms).
  */
 #include "direct.h"
 
@@ -367,7 +368,7 @@ static void heavy_boxes_lie_on_light_boards(void)
 		watch_steps(&w, &s, 1);
 		overlap = greater(overlap, (double)fixture_penetration(s.world, s.bodies, s.body_count));
 	}
-	CHECK_LE("greatest overlap", overlap, 5e-3, "m");
+	CHECK_LE("greatest overlap", overlap, 1e-3, "m");
 	CHECK_LE("greatest distance between anchors", w.apart, 1e-3, "m");
 	CHECK_LE("energy gained", w.energy / w.energy_start - 1.0, 1e-4, "");
 	scene_close(&s);
