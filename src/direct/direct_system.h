@@ -59,7 +59,9 @@ void cni_projection_mark(const cn_world *world, cni_sparse *sparse);
 
 /* ---- contacts with lighter bodies of components: direct/heavy_contacts.c ---- */
 
-/* Lists them and finds the response of the joints; after cni_projection_mark. */
+/* Lists those of a component. 0: it has none. */
+int32_t cni_heavy_contacts_list(const cn_world *world, const cni_solve *s, cni_sparse *sparse, int32_t component);
+/* Finds the response of the joints; after cni_projection_mark. */
 void cni_heavy_contacts_find(cn_world *world, const cni_solve *s, cni_sparse *sparse);
 /* Solves each of them once, after the joints. */
 void cni_heavy_contacts_solve(cn_world *world, const cni_solve *s, int32_t bias);

@@ -171,16 +171,47 @@ static void body_contacts_list(const cn_world *world, const cni_solve *s, cni_sp
 	}
 }
 
+/* 1: one of its joints may break. It bears at most its threshold, which is known after the step only: a ball would bounce off a wall of
+   bricks that it should break. */
+static int32_t may_break(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	int32_t k;
+	for (k = c->begin; k < c->end; ++k) {
+		const cni_joint *j = cni_joint_constraints(world)[sparse->nodes[k].owner].record;
+		if (j->break_force > 0.0f || j->break_torque > 0.0f)
+			return 1;
+	}
+	return 0;
+}
+
+int32_t cni_heavy_contacts_list(const cn_world *world, const cni_solve *s, cni_sparse *sparse, int32_t component)
+{
+	const cni_component *c = &sparse->components[component];
+	int32_t k, first = sparse->heavy_count;
+	if (!CNI_ON(HEAVY_CONTACTS) || !CNI_ON(JOINT_PROJECTION) || c->has_contacts || may_break(world, sparse, c))
+		return 0;
+	for (k = c->body_begin; k < c->body_end; ++k)
+		body_contacts_list(world, s, sparse, component, sparse->bodies[k]);
+	return sparse->heavy_count > first;
+}
+
+/* ---- components ---- */
+
+/* Index behind the contacts that are of the same component as contact begin. */
+static int32_t end_of(const cni_sparse *sparse, int32_t begin)
+{
+	int32_t end = begin + 1;
+	while (end < sparse->heavy_count && sparse->heavies[end].component == sparse->heavies[begin].component)
+		++end;
+	return end;
+}
+
 void cni_heavy_contacts_find(cn_world *world, const cni_solve *s, cni_sparse *sparse)
 {
-	int32_t k, n, first;
-	for (k = 0; k < sparse->projection_count; ++k) {
-		const cni_component *c = &sparse->components[sparse->projections[k].component];
-		first = sparse->heavy_count;
-		for (n = c->body_begin; n < c->body_end && !c->batches; ++n)
-			body_contacts_list(world, s, sparse, sparse->projections[k].component, sparse->bodies[n]);
-		if (sparse->heavy_count > first)
-			responses_find(world, s, sparse, first, sparse->heavy_count);
+	int32_t begin, end;
+	for (begin = 0; begin < sparse->heavy_count; begin = end) {
+		end = end_of(sparse, begin);
+		responses_find(world, s, sparse, begin, end);
 	}
 }
 
@@ -274,11 +305,9 @@ static void component_solve(cn_world *world, const cni_solve *s, int32_t begin, 
 
 void cni_heavy_contacts_solve(cn_world *world, const cni_solve *s, int32_t bias)
 {
-	const cni_heavy_contact *heavies = s->direct->heavies;
 	int32_t begin, end;
 	for (begin = 0; begin < s->direct->heavy_count; begin = end) {
-		for (end = begin + 1; end < s->direct->heavy_count && heavies[end].component == heavies[begin].component; ++end)
-			;
+		end = end_of(s->direct, begin);
 		component_solve(world, s, begin, end, bias);
 	}
 }
