@@ -154,9 +154,12 @@ static int32_t is_pressed(const cn_world *world, const cni_solve *s, const cni_c
 	return 0;
 }
 
+/* Trees that could be in batches leave them, so only bodies that may crush theirs count: ragdolls would take 4 times as long as soft ones
+   instead of 2.1 times. */
 static void body_contacts_list(const cn_world *world, const cni_solve *s, cni_sparse *sparse, int32_t component, int32_t index)
 {
 	const cni_body *b = cni_body_at(world, cni_awake_ids(world)[index]);
+	float ratio = sparse->components[component].kind == CNI_NONE ? 1.0f : CNI_SELECTION_MASS_RATIO;
 	int32_t key, left = b->lanes;
 	for (key = b->contact_first; left > 0 && sparse->heavy_count < CNI_HEAVY_CONTACTS_MOST; key = cni_contact_of_key(world, key)->next[key & 1]) {
 		const cni_contact *c = cni_contact_of_key(world, key);
@@ -164,7 +167,9 @@ static void body_contacts_list(const cn_world *world, const cni_solve *s, cni_sp
 		if (!cni_contact_has_lane(c))
 			continue;
 		--left;
-		if (other->inv_mass == 0.0f || other->inv_mass >= cni_motions(world)[index].inv_mass || !cni_direct_lane_is_plain(world, c) || !is_pressed(world, s, c, key >> 1))
+		if (other->inv_mass == 0.0f || ratio * other->inv_mass >= cni_motions(world)[index].inv_mass)
+			continue;
+		if (!cni_direct_lane_is_plain(world, c) || !is_pressed(world, s, c, key >> 1))
 			continue;
 		sparse->heavies[sparse->heavy_count].component = component;
 		sparse->heavies[sparse->heavy_count++].contact = key >> 1;
