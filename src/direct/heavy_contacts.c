@@ -154,12 +154,20 @@ static int32_t is_pressed(const cn_world *world, const cni_solve *s, const cni_c
 	return 0;
 }
 
-/* Trees that could be in batches leave them, so only bodies that may crush theirs count: ragdolls would take 4 times as long as soft ones
-   instead of 2.1 times. */
-static void body_contacts_list(const cn_world *world, const cni_solve *s, cni_sparse *sparse, int32_t component, int32_t index)
+/* Mass ratio from which a body is heavy. Where the component could be in a batch with others of its class, it leaves the batch, so only
+   bodies that may crush its own count: ragdolls would take 4 times as long as soft ones instead of 2.1 times. */
+static float ratio_of(const cni_sparse *sparse, const cni_component *c)
+{
+	int32_t k;
+	for (k = 0; k < sparse->component_count && c->kind != CNI_NONE; ++k)
+		if (sparse->components[k].kind == c->kind && &sparse->components[k] != c)
+			return CNI_SELECTION_MASS_RATIO;
+	return 1.0f;
+}
+
+static void body_contacts_list(const cn_world *world, const cni_solve *s, cni_sparse *sparse, int32_t component, int32_t index, float ratio)
 {
 	const cni_body *b = cni_body_at(world, cni_awake_ids(world)[index]);
-	float ratio = sparse->components[component].kind == CNI_NONE ? 1.0f : CNI_SELECTION_MASS_RATIO;
 	int32_t key, left = b->lanes;
 	for (key = b->contact_first; left > 0 && sparse->heavy_count < CNI_HEAVY_CONTACTS_MOST; key = cni_contact_of_key(world, key)->next[key & 1]) {
 		const cni_contact *c = cni_contact_of_key(world, key);
@@ -193,10 +201,12 @@ int32_t cni_heavy_contacts_list(const cn_world *world, const cni_solve *s, cni_s
 {
 	const cni_component *c = &sparse->components[component];
 	int32_t k, first = sparse->heavy_count;
+	float ratio;
 	if (!CNI_ON(HEAVY_CONTACTS) || !CNI_ON(JOINT_PROJECTION) || c->has_contacts || may_break(world, sparse, c))
 		return 0;
+	ratio = ratio_of(sparse, c);
 	for (k = c->body_begin; k < c->body_end; ++k)
-		body_contacts_list(world, s, sparse, component, sparse->bodies[k]);
+		body_contacts_list(world, s, sparse, component, sparse->bodies[k], ratio);
 	return sparse->heavy_count > first;
 }
 
