@@ -20,6 +20,7 @@
 	X(TREE_BATCHES)       /* trees of pins of one topology class solved side by side */ \
 	X(RATTLE)             /* RATTLE for bodies that only joints hold */ \
 	X(JOINT_PROJECTION)   /* joint projection after contacts */ \
+	X(HEAVY_CONTACTS)     /* contacts with light bodies that exact joints hold know these joints */ \
 	X(GEOMETRIC_STIFFNESS)/* geometric stiffness: damping of light links under tension */ \
 	X(ACTIVE_ROWS)        /* motors and limits in the system of their joints */ \
 	X(SOFT_LOOPS)         /* loops of pins and rods that touch something are soft */ \

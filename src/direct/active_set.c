@@ -41,7 +41,7 @@ static int32_t set_change(const cn_world *world, const cni_solve *s, cni_sparse 
 	return changed;
 }
 
-static void impulses_add(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+void cni_active_impulses_add(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
 	int32_t k;
 	for (k = c->active_first; k != CNI_NONE; k = sparse->nodes[k].next_active)
@@ -73,7 +73,7 @@ int32_t cni_active_solve(cn_world *world, const cni_solve *s, cni_sparse *sparse
 	for (round = 0;; ++round) {
 		if (!cni_direct_apply(world, sparse, c))
 			return 0;
-		impulses_add(world, sparse, c);
+		cni_active_impulses_add(world, sparse, c);
 		if (round == CNI_JOINT_SET_ROUNDS || !set_change(world, s, sparse, c))
 			return 1;
 		cni_direct_system(world, s, sparse, c);

@@ -10,7 +10,7 @@
 
 #include <string.h>
 
-static int32_t lane_is_plain(const cn_world *world, const cni_contact *c)
+int32_t cni_direct_lane_is_plain(const cn_world *world, const cni_contact *c)
 {
 	int32_t block = c->slot / CNI_LANES, l = c->slot % CNI_LANES;
 	const cni_block_info *info = cni_block_info_at(world, block);
@@ -33,7 +33,7 @@ static void friction_guess(cni_direct_contact *p)
 	p->slide_sign = p->j[2] > 0.0f ? 1.0f : -1.0f;
 }
 
-static void contact_read(const cn_world *world, const cni_contact *c, cni_direct_contact *p)
+void cni_direct_contact_read(const cn_world *world, const cni_contact *c, cni_direct_contact *p)
 {
 	const cni_contact_block *k = cni_block_at(world, c->slot / CNI_LANES);
 	int32_t l = c->slot % CNI_LANES, i;
@@ -76,11 +76,11 @@ int32_t cni_direct_contacts_collect(const cn_world *world, int32_t island, cni_d
 				continue;
 			if (cni_body_at(world, other)->type == CN_BODY_DYNAMIC && (key & 1))
 				continue; /* collected at its other body */
-			if (!lane_is_plain(world, c))
+			if (!cni_direct_lane_is_plain(world, c))
 				return CNI_DIRECT_CONTACTS_KIND;
 			if (count == room)
 				return CNI_DIRECT_CONTACTS_MANY;
-			contact_read(world, c, &contacts[count++]);
+			cni_direct_contact_read(world, c, &contacts[count++]);
 		}
 	return count;
 }

@@ -105,6 +105,10 @@ static inline void cni_direct_contact_push(const cni_direct_contact *p, int32_t 
 	if (impulse != 0.0f)
 		cni_lever_push(&l, impulse, a, b);
 }
+/* 1: without restitution and extra rows. */
+int32_t cni_direct_lane_is_plain(const cn_world *world, const cni_contact *c);
+/* Reads the lane of a contact. */
+void cni_direct_contact_read(const cn_world *world, const cni_contact *c, cni_direct_contact *p);
 /* Separation of a point now. */
 float cni_direct_contact_separation(const cni_direct_contact *p, int32_t point, const cni_motion *a, const cni_motion *b);
 

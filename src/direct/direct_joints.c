@@ -152,7 +152,7 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 			cni_component_release(world, out, c);
 		else if (c->uses_rattle)
 			cni_sparse_clear(out, c);
-		else if (!(c->batches = CNI_ON(TREE_BATCHES) ? cni_component_is_batched(world, s, out, c) : 0)) {
+		else if (!(c->batches = !cni_heavy_contacts_list(world, s, out, k) && CNI_ON(TREE_BATCHES) && cni_component_is_batched(world, s, out, c))) {
 			c->kind = CNI_NONE;
 			cni_direct_begin(world, s, out, c);
 		}
@@ -161,6 +161,7 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 	cni_direct_contacts_extract(world, out);
 	if (CNI_ON(JOINT_PROJECTION))
 		cni_projection_mark(world, out);
+	cni_heavy_contacts_find(world, s, out);
 	world->direct_work = work_planned(world, out);
 }
 
@@ -231,6 +232,7 @@ void cni_direct_solve(cn_world *world, const cni_solve *s, int32_t bias)
 			joints_solve(world, s, c, bias);
 		}
 	}
+	cni_heavy_contacts_solve(world, s, bias);
 }
 
 void cni_direct_store(cn_world *world, const cni_solve *s)

@@ -58,7 +58,7 @@ uint64_t cni_direct_plan_bytes(int32_t solver, int32_t joints, int32_t contacts,
 	if (links == 0 || solver == CN_SOLVER_SOFT || solver == CN_SOLVER_SEQUENTIAL)
 		return 0;
 	return link * (uint64_t)links + sizeof(cni_direct_contact) * (uint64_t)taken +
-	       2 * sizeof(int32_t) * (uint64_t)contacts + (sizeof(float) + sizeof(cni_rot) + sizeof(int32_t)) * (uint64_t)(bodies + 1) + 832 + cni_sparse_bytes(links, bodies + 1, work);
+	       2 * sizeof(int32_t) * (uint64_t)contacts + (sizeof(float) + sizeof(cni_rot) + sizeof(int32_t)) * (uint64_t)(bodies + 1) + 896 + sizeof(cni_heavy_contact) * CNI_HEAVY_CONTACTS_MOST + cni_sparse_bytes(links, bodies + 1, work);
 }
 
 /* ---- joints ---- */
@@ -242,7 +242,8 @@ static int32_t scratch_take(cn_world *world, cni_sparse *out)
 	out->projections = (cni_projection *)cni_arena_push(arena, sizeof(cni_projection) * (uint64_t)out->component_count);
 	out->projection_slots = (int32_t *)cni_arena_push(arena, 2 * sizeof(int32_t) * (uint64_t)world->touching_count); /* each at two bodies */
 	out->projection_of = (int32_t *)cni_arena_push(arena, sizeof(int32_t) * bodies);
-	return out->saved != NULL && out->pull != NULL && out->turn != NULL && out->projections != NULL && out->projection_slots != NULL && out->projection_of != NULL;
+	out->heavies = (cni_heavy_contact *)cni_arena_push(arena, sizeof(cni_heavy_contact) * CNI_HEAVY_CONTACTS_MOST);
+	return out->heavies != NULL && out->saved != NULL && out->pull != NULL && out->turn != NULL && out->projections != NULL && out->projection_slots != NULL && out->projection_of != NULL;
 }
 
 int32_t cni_direct_plan(cn_world *world, const cni_solve *s, cni_sparse *out)

@@ -57,6 +57,15 @@ void cni_direct_system(cn_world *world, const cni_solve *s, cni_sparse *sparse, 
 /* Lists the components that contacts may open: direct/joint_projection.c. */
 void cni_projection_mark(const cn_world *world, cni_sparse *sparse);
 
+/* ---- contacts with lighter bodies of components: direct/heavy_contacts.c ---- */
+
+/* Lists those of a component. 0: it has none. */
+int32_t cni_heavy_contacts_list(const cn_world *world, const cni_solve *s, cni_sparse *sparse, int32_t component);
+/* Finds the response of the joints; after cni_projection_mark. */
+void cni_heavy_contacts_find(cn_world *world, const cni_solve *s, cni_sparse *sparse);
+/* Solves each of them once, after the joints. */
+void cni_heavy_contacts_solve(cn_world *world, const cni_solve *s, int32_t bias);
+
 /* ---- motors and limits in the system: direct/active_rows.c ---- */
 
 /* Bits of the `active` of a joint's node. */
@@ -79,6 +88,8 @@ void cni_active_clear(cni_sparse *sparse, const cni_component *c);
 void cni_active_levers(const cn_world *world, cni_sparse *sparse, const cni_component *c);
 /* Their right sides, after those of the rigid rows. */
 void cni_active_right_sides(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c, int32_t bias);
+/* Adds the solution to the impulses of the rows in the set. */
+void cni_active_impulses_add(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
 /* Solves the right sides for impulses with the active set. 0: the solution is not finite. */
 int32_t cni_active_solve(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c);
 

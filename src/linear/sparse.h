@@ -97,6 +97,15 @@ typedef struct cni_projection {
 	int32_t slot_begin, slot_end;  /* in projection_slots; CNI_NONE: not looked up in this step */
 } cni_projection;
 
+/* A contact of a body with a lighter one of a component: direct/heavy_contacts.c. */
+#define CNI_HEAVY_CONTACTS_MOST 32 /* in a step */
+
+typedef struct cni_heavy_contact {
+	int32_t component, contact;
+	float turn_most; /* rad: farthest turn of the component's bodies in this step until k is found again */
+	float k[3][3]; /* inverse effective mass of its rows with the component's joints */
+} cni_heavy_contact;
+
 /* The topology of a tree of nodes of two rows: components are of one class when their topologies are equal. */
 #define CNI_TOPOLOGY_NODES 32
 #define CNI_TOPOLOGY_COUPLINGS 3 /* for each node */
@@ -132,6 +141,8 @@ typedef struct cni_sparse {
 	int32_t *projection_slots;        /* slots of the contacts of each projection's bodies */
 	int32_t projection_slot_count;
 	int32_t *projection_of;           /* by dense body: its projection or CNI_NONE */
+	cni_heavy_contact *heavies;   /* direct/heavy_contacts.c */
+	int32_t heavy_count;
 	cni_motion *saved;            /* by index in bodies */
 	float *pull;                  /* by dense body: sum(r.f) of its joints; direct/geometric_stiffness.c */
 	cni_rot *turn;                /* by dense body: rotation since the step began */

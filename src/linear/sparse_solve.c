@@ -288,6 +288,8 @@ CNI_INLINE int32_t solve(cni_sparse *s, const cni_component *c, int32_t w)
 	int32_t k, e, i;
 	for (k = c->begin; k < c->end; ++k) {
 		cni_four x = cni_four_load(nodes[k].x), lanes[CNI_NODE_ROWS];
+		if (nodes[k].x[0] == 0.0f && nodes[k].x[1] == 0.0f && (w == 2 || nodes[k].x[2] == 0.0f))
+			continue; /* right sides of few nodes: direct/heavy_contacts.c */
 		lanes[0] = w == 2 ? CNI_FOUR_PICK(x, x, 0, 0, 1, 1) : CNI_FOUR_PICK(x, x, 0, 0, 0, 0);
 		lanes[1] = CNI_FOUR_PICK(x, x, 1, 1, 1, 1);
 		lanes[2] = CNI_FOUR_PICK(x, x, 2, 2, 2, 2);

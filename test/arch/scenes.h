@@ -20,11 +20,11 @@ typedef struct arch_scene {
 static const arch_scene arch_scenes[ARCH_SCENES] = {
 	{ "shapes", scene_shapes, 0x8dcef6ef56fd76e0 },
 	{ "joints", scene_joints, 0xbe21a0462c0c2c4c },
-	{ "direct", scene_direct, 0x3ca333c65e40ddf6 },
-	{ "tiers", scene_tiers, 0x2c91204259f3384f },
+	{ "direct", scene_direct, 0xd0a9bfee0b2f369d },
+	{ "tiers", scene_tiers, 0x8d34fc81c3245635 },
 	{ "sequential", scene_sequential, 0x37028daf8c29bd86 },
 	{ "queries", scene_queries, 0x8f88edf789c0a19f },
-	{ "events", scene_events, 0x585d653455a9653d },
+	{ "events", scene_events, 0xb9bd9ed94094c248 },
 	{ "file", scene_file, 0x53447e7324db5b1d },
 };
 

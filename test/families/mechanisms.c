@@ -234,9 +234,54 @@ static void build_gears(scene *s)
 		pulley_row(s);
 }
 
+/* 4 to 16 boards of 0.6 to 1.2 x 0.1 to 0.3 m, welded in a row to the world; one to three boxes of 1 to 1000 times a board's mass fall on
+   the outer half from 0.1 to 3 m and lie there or slide off. Friction 0.3 to 1. */
+static void build_cantilever(scene *s)
+{
+	int32_t boards = pick_int(s, 4, 16), boxes = pick_int(s, 1, 3), k, previous = WORLD;
+	double half = pick(s, 0.3, 0.6), thin = pick(s, 0.05, 0.15), y = 8.0, length = 2.0 * half * (double)boards;
+	s->friction = pick(s, 0.3, 1.0);
+	for (k = 0; k < boards; ++k) {
+		double x = 2.0 * half * (double)k;
+		int32_t board = add_box(s, CN_BODY_DYNAMIC, x + half, y, 0.0, half, thin);
+		add_weld(s, previous, board, x, y);
+		previous = board;
+	}
+	for (k = 0; k < boxes; ++k) {
+		double size = pick(s, 0.2, 0.6), x = pick(s, 0.5, 1.0) * length, fall = pick(s, 0.1, 3.0);
+		set_mass(s, 4.0 * half * thin * pick_log(s, 1.0, 1000.0), 4.0 * size * size);
+		add_box(s, CN_BODY_DYNAMIC, x, y + thin + size + fall + 1.4 * (double)k, 0.0, size, size);
+	}
+	s->density = 1.0;
+	add_floor(s);
+}
+
+/* 3 to 12 boxes of 0.3 to 0.8 m on each other, the hinge of each pair at a corner or in the middle, its angle within 0 to 0.8 rad;
+   masses to 1:30; the tower begins to lean with 0 to 1 rad/s and falls over. Friction 0.2 to 1. */
+static void build_hinged_tower(scene *s)
+{
+	int32_t boxes = pick_int(s, 3, 12), k, previous = 0;
+	double half = pick(s, 0.15, 0.4), ratio = pick_log(s, 1.0, 30.0), spin = pick(s, 0.0, 1.0);
+	s->friction = pick(s, 0.2, 1.0);
+	add_floor(s);
+	for (k = 0; k < boxes; ++k) {
+		double y = half * (2.0 * (double)k + 1.0), give = pick(s, 0.05, 0.8), side = (double)pick_int(s, -1, 1);
+		int32_t box;
+		s->joint_flags = chance(s, 0.5) ? CN_JOINT_COLLIDE : 0;
+		s->density = pick_log(s, 1.0, ratio);
+		box = add_box(s, CN_BODY_DYNAMIC, 0.0, y, 0.0, half, half);
+		if (k > 0)
+			add_pin_limited(s, previous, box, side * half, y - half, -give, give);
+		set_velocity(s, box, -spin * y, 0.0, spin);
+		previous = box;
+	}
+}
+
 const family mechanism_families[] = {
 	{ "mechanism", build_mechanism, 0 },
 	{ "linkage", build_linkage, 0 },
 	{ "gears", build_gears, 0 },
+	{ "cantilever", build_cantilever, 0 },
+	{ "hinged_tower", build_hinged_tower, 0 },
 };
 const int32_t mechanism_family_count = FAMILY_COUNT(mechanism_families);

@@ -1,9 +1,10 @@
 /*
  * test/world/direct_contacts_test.c - what is promised of contacts that are solved directly, alone and among joints:
- * stacks, walls, random scenes, the same bits in a fixed block; and of contacts that would part joints.
+ * stacks, walls, random scenes, the same bits in a fixed block; of contacts that would part joints, or press on light bodies that joints
+ * hold.
  *
  * If a test here fails, run linear/sparse and world/direct first. Then look in: direct/solver_selection.c and direct_contacts.c,
- * joint_projection.c (hard stops), direct_joints.c (loaded bridges).
+ * joint_projection.c (hard stops), direct_joints.c (loaded bridges), heavy_contacts.c (light boards and arms).
  */
 #include "direct.h"
 
@@ -328,6 +329,78 @@ static void hard_stops_part_no_joints(void)
 	scene_close(&s);
 }
 
+/* ---- contacts with light bodies that joints hold ---- */
+
+static void weld(scene *s, cn_body a, cn_vec2 anchor_a, cn_body b, cn_vec2 anchor_b)
+{
+	cn_fixed_def def;
+	cn_fixed_def_init(&def);
+	connect(&def.base, a, anchor_a, b, anchor_b);
+	s->joints[s->joint_count++] = make_fixed(s->world, &def);
+}
+
+/* A board of 1 x 0.2 m and 0.2 kg, from (x, y) on at this angle. */
+static cn_body add_board(scene *s, double x, double y, double angle)
+{
+	return keep(s, fixture_box(s->world, CN_BODY_DYNAMIC, (float)(x + 0.5 * cos(angle)), (float)(y + 0.5 * sin(angle)), (float)angle, 0.5f, 0.1f, 0.6f, 0.0f));
+}
+
+static void add_heavy_box(scene *s, float x, float y, float factor)
+{
+	keep(s, fixture_box(s->world, CN_BODY_DYNAMIC, x, y, 0.0f, 0.5f, 0.5f, 0.6f, 0.0f));
+	weigh(s, last_body(s), factor);
+}
+
+/* A box of 100 kg falls 1 m onto a cantilever of boards of 0.2 kg. A contact that knows nothing of the joints lets it sink in by 0.4 m. */
+static void heavy_boxes_lie_on_light_boards(void)
+{
+	scene s = scene_open(GRAVITY, 0, CN_SOLVER_AUTO);
+	double overlap = 0.0;
+	watch w;
+	int32_t k;
+	for (k = 0; k < 8; ++k) {
+		cn_body board = add_board(&s, (double)k, 5.0, 0.0);
+		weld(&s, k == 0 ? 0 : s.bodies[k - 1], k == 0 ? at(0.0f, 5.0f) : at(0.5f, 0.0f), board, at(-0.5f, 0.0f));
+	}
+	add_heavy_box(&s, 6.9f, 6.6f, 100.0f);
+	w = watch_begin(&s);
+	for (k = 0; k < 240; ++k) {
+		watch_steps(&w, &s, 1);
+		overlap = greater(overlap, (double)fixture_penetration(s.world, s.bodies, s.body_count));
+	}
+	CHECK_LE("greatest overlap", overlap, 1e-3, "m");
+	CHECK_LE("greatest distance between anchors", w.apart, 1e-3, "m");
+	CHECK_LE("energy gained", w.energy / w.energy_start - 1.0, 1e-4, "");
+	scene_close(&s);
+}
+
+/* Two boards welded to an arm on a pivot, whose limit a box of 300 kg releases or reaches, and which turns away under it. */
+static void light_arms_throw_no_heavy_boxes(void)
+{
+	double gained = 0.0;
+	int32_t k;
+	for (k = 0; k < 64; ++k) {
+		scene s = scene_open(GRAVITY, 0, CN_SOLVER_AUTO);
+		double angle = PI * (double)k / 32.0, from = k % 2 ? -0.5 : 0.0;
+		cn_revolute_def def = revolute_def(0, at(0.0f, 2.0f), add_board(&s, from * cos(angle), 2.0 + from * sin(angle), angle), at((float)(-0.5 - from), 0.0f));
+		watch w;
+		(void)add_board(&s, (1.0 + from) * cos(angle), 2.0 + (1.0 + from) * sin(angle), angle);
+		weld(&s, s.bodies[0], at(0.5f, 0.0f), s.bodies[1], at(-0.5f, 0.0f));
+		def.base.flags |= k % 4 < 2 ? CN_JOINT_LIMIT : 0u;
+		def.reference_angle_rad = (float)angle;
+		def.lower_angle_rad = -0.5f;
+		def.upper_angle_rad = 0.0f;
+		s.joints[s.joint_count++] = make_revolute(s.world, &def);
+		add_heavy_box(&s, -0.9f + 0.3f * (float)(k % 7), 5.0f, 300.0f);
+		fixture_set_velocity(s.world, s.bodies[0], 0.0f, 0.0f, k % 4 < 2 ? 0.0f : 20.0f);
+		w = watch_begin(&s);
+		watch_steps(&w, &s, 120);
+		gained = greater(gained, (w.energy - w.energy_start) / (300.0 * GRAVITY));
+		scene_close(&s);
+	}
+	CHECK_LE("energy gained, by what the box weighs", gained, 0.01, "m");
+}
+
 int main(int argc, char **argv)
 {
 	test_begin(argc, argv);
@@ -337,5 +410,7 @@ int main(int argc, char **argv)
 	RUN(fixed_memory_gives_the_same_bits);
 	RUN(loaded_bridges_are_as_good_as_soft);
 	RUN(hard_stops_part_no_joints);
+	RUN(heavy_boxes_lie_on_light_boards);
+	RUN(light_arms_throw_no_heavy_boxes);
 	return test_end();
 }

@@ -1,0 +1,337 @@
+/*
+ * direct/heavy_contacts.c - contacts with lighter bodies that exact joints hold, solved with the response of the joints.
+ *
+ * The contact kernel takes the stiffness and the steps of a contact from the masses of its two bodies. A box that falls on a light board of a
+ * cantilever sinks by the ratio of their masses: a pass stops as much of it as the board weighs, and the contact yields as if the board
+ * were free. Here such a contact has its 3 x 3 inverse effective mass (two normals, friction) with the joints: one solution of their system
+ * for each row, once a step. Each pass solves it after the joints and applies its impulses through the joints, which stay closed.
+ *
+ * No step may be too long, or the impulses grow from pass to pass. The response is therefore found without motors and limits, which may
+ * leave the active set. Two bodies of one component have at most the mass of free ones: beside their hinge it would be any. In the substeps
+ * the joints turn away from the response: a turn by d changes the square root of a row's inverse mass by at most d times that of the free
+ * bodies. Where that may be a large part, the response is found again.
+ *
+ * The kernel's passes include these lanes. Their loads equal their impulses, so there they do not yield.
+ *
+ * Reads systems of joints, lanes; writes impulses and loads of lanes, velocities, impulses of joint constraints.
+ */
+#include "direct/direct_contact.h"
+#include "direct/direct_system.h"
+#include "model/tuning.h"
+
+#include <string.h>
+
+#define INVERSE_MASS_LEAST 1e-4f /* of a row, as a part of that of the free bodies: less is rounding */
+
+static float row_speed(const cni_direct_contact *p, int32_t row, const cni_motion *a, const cni_motion *b)
+{
+	cni_lever l = cni_direct_contact_lever(p, row);
+	return cni_lever_speed(&l, a, b);
+}
+
+/* ---- the response of the joints ---- */
+
+/* A contact's lane, and changes of velocity of its two bodies; rest stands for all others. */
+typedef struct changes {
+	cni_contact_block *block;
+	int32_t l, ia, ib;
+	cni_motion a, b, rest;
+} changes;
+
+static cni_motion at_rest(const cni_motion *m)
+{
+	cni_motion still = *m;
+	still.vx = still.vy = still.w = 0.0f;
+	return still;
+}
+
+static changes changes_begin(const cn_world *world, int32_t contact)
+{
+	int32_t slot = cni_contact_at(world, contact)->slot;
+	changes d;
+	d.block = cni_block_at(world, slot / CNI_LANES);
+	d.l = slot % CNI_LANES;
+	d.ia = d.block->ia[d.l];
+	d.ib = d.block->ib[d.l];
+	d.a = at_rest(cni_motions(world) + d.ia);
+	d.b = at_rest(cni_motions(world) + d.ib);
+	memset(&d.rest, 0, sizeof d.rest);
+	return d;
+}
+
+static cni_motion *change_of(changes *d, int32_t index)
+{
+	return index == d->ia ? &d->a : index == d->ib ? &d->b : &d->rest;
+}
+
+/* Right sides of the joints against these changes. */
+static void sides_set(const cni_sparse *sparse, const cni_component *c, changes *d)
+{
+	int32_t k;
+	for (k = c->begin; k < c->end; ++k) {
+		cni_node *n = &sparse->nodes[k];
+		cni_four_store(n->x, cni_four_scale(cni_levers_speed(&n->levers, change_of(d, n->ia), change_of(d, n->ib)), -1.0f));
+	}
+}
+
+/* Adds what the joints do to these changes; nothing where they have no finite solution. */
+static void response_add(cni_sparse *sparse, const cni_component *c, changes *d)
+{
+	int32_t k;
+	sides_set(sparse, c, d);
+	if (!cni_sparse_solve(sparse, c))
+		return;
+	for (k = c->begin; k < c->end; ++k) {
+		const cni_node *n = &sparse->nodes[k];
+		cni_levers_push(&n->levers, n->x, change_of(d, n->ia), change_of(d, n->ib), CNI_NODE_ROWS);
+		d->rest = at_rest(&d->rest);
+	}
+}
+
+/* The farthest turn of the component's bodies in this step. */
+static float turn_of(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	float most = 0.0f;
+	int32_t k;
+	for (k = c->body_begin; k < c->body_end; ++k)
+		most = cni_max(most, cni_abs(cni_motions(world)[sparse->bodies[k]].theta));
+	return most;
+}
+
+static void response_find(const cn_world *world, cni_sparse *sparse, cni_heavy_contact *h)
+{
+	cni_direct_contact p;
+	int32_t row, k;
+	cni_direct_contact_read(world, cni_contact_at(world, h->contact), &p);
+	h->turn_most = FLT_MAX;
+	for (row = 0; row < 3; ++row) {
+		changes d = changes_begin(world, h->contact);
+		float least = sparse->projection_of[d.ia] == sparse->projection_of[d.ib] ? 1.0f : INVERSE_MASS_LEAST;
+		if (p.mass[row] <= 0.0f)
+			continue;
+		cni_direct_contact_push(&p, row, p.mass[row], &d.a, &d.b);
+		response_add(sparse, &sparse->components[h->component], &d);
+		for (k = 0; k < 3; ++k)
+			h->k[k][row] = row_speed(&p, k, &d.a, &d.b) / p.mass[row];
+		h->k[row][row] = cni_max(h->k[row][row], least / p.mass[row]);
+		h->turn_most = cni_min(h->turn_most, CNI_HEAVY_TURN_PART * cni_sqrt(p.mass[row] * h->k[row][row]));
+	}
+	h->turn_most += turn_of(world, sparse, &sparse->components[h->component]);
+}
+
+/* Of the contacts begin to end - 1, which are those of one component. */
+static void responses_find(cn_world *world, const cni_solve *s, cni_sparse *sparse, int32_t begin, int32_t end)
+{
+	cni_component *c = &sparse->components[sparse->heavies[begin].component];
+	int32_t k;
+	if (c->active) {
+		cni_active_clear(sparse, c);
+		cni_sparse_factor(sparse, c, cni_motions(world));
+	}
+	for (k = begin; k < end; ++k)
+		response_find(world, sparse, &sparse->heavies[k]);
+	if (c->active)
+		cni_direct_system(world, s, sparse, c);
+}
+
+/* ---- which contacts ---- */
+
+/* 1: it bears more than a few weights, or it bears nothing and its points may meet in this step. */
+static int32_t is_pressed(const cn_world *world, const cni_solve *s, const cni_contact *c, int32_t contact)
+{
+	float speed = CNI_HEAVY_CONTACT_STRESS * cni_length(world->settings.gravity) * s->h;
+	changes d = changes_begin(world, contact);
+	const cni_motion *a = cni_motions(world) + d.ia, *b = cni_motions(world) + d.ib;
+	cni_direct_contact p;
+	int32_t k;
+	cni_direct_contact_read(world, c, &p);
+	for (k = 0; k < 2; ++k) {
+		if (p.j[k] > speed * p.mass[k])
+			return 1;
+		if (p.mass[k] > 0.0f && p.j[k] <= 0.0f && cni_direct_contact_separation(&p, k, a, b) + s->dt * row_speed(&p, k, a, b) < world->settings.slop)
+			return 1;
+	}
+	return 0;
+}
+
+/* Mass ratio from which a body is heavy. Where the component could be in a batch with others of its class, it leaves the batch, so only
+   bodies that may crush its own count: ragdolls would take 4 times as long as soft ones instead of 2.1 times. */
+static float ratio_of(const cni_sparse *sparse, const cni_component *c)
+{
+	int32_t k;
+	for (k = 0; k < sparse->component_count && c->kind != CNI_NONE; ++k)
+		if (sparse->components[k].kind == c->kind && &sparse->components[k] != c)
+			return CNI_SELECTION_MASS_RATIO;
+	return 1.0f;
+}
+
+static void body_contacts_list(const cn_world *world, const cni_solve *s, cni_sparse *sparse, int32_t component, int32_t index, float ratio, int32_t most)
+{
+	const cni_body *b = cni_body_at(world, cni_awake_ids(world)[index]);
+	int32_t key, left = b->lanes;
+	for (key = b->contact_first; left > 0 && sparse->heavy_count < most; key = cni_contact_of_key(world, key)->next[key & 1]) {
+		const cni_contact *c = cni_contact_of_key(world, key);
+		const cni_motion *other = cni_motions(world) + cni_body_at(world, c->body[1 - (key & 1)])->awake;
+		if (!cni_contact_has_lane(c))
+			continue;
+		--left;
+		if (other->inv_mass == 0.0f || ratio * other->inv_mass >= cni_motions(world)[index].inv_mass)
+			continue;
+		if (!cni_direct_lane_is_plain(world, c) || !is_pressed(world, s, c, key >> 1))
+			continue;
+		sparse->heavies[sparse->heavy_count].component = component;
+		sparse->heavies[sparse->heavy_count++].contact = key >> 1;
+	}
+}
+
+/* Length of the list that holds as many contacts of a component as there is work for: each of them solves its system some forty times a
+   step, so the larger the system, the fewer. */
+static int32_t most_of(const cni_sparse *sparse, const cni_component *c)
+{
+	int32_t blocks = sparse->first[c->end] - sparse->first[c->begin] + c->end - c->begin;
+	return cni_min_i(sparse->heavy_count + CNI_HEAVY_CONTACT_BLOCKS / cni_max_i(blocks, 1), CNI_HEAVY_CONTACTS_MOST);
+}
+
+/* 1: one of its joints may break. It bears at most its threshold, which is known after the step only: a ball would bounce off a wall of
+   bricks that it should break. */
+static int32_t may_break(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	int32_t k;
+	for (k = c->begin; k < c->end; ++k) {
+		const cni_joint *j = cni_joint_constraints(world)[sparse->nodes[k].owner].record;
+		if (j->break_force > 0.0f || j->break_torque > 0.0f)
+			return 1;
+	}
+	return 0;
+}
+
+int32_t cni_heavy_contacts_list(const cn_world *world, const cni_solve *s, cni_sparse *sparse, int32_t component)
+{
+	const cni_component *c = &sparse->components[component];
+	int32_t k, first = sparse->heavy_count, most;
+	float ratio;
+	if (!CNI_ON(HEAVY_CONTACTS) || !CNI_ON(JOINT_PROJECTION) || c->has_contacts || may_break(world, sparse, c))
+		return 0;
+	ratio = ratio_of(sparse, c);
+	most = most_of(sparse, c);
+	for (k = c->body_begin; k < c->body_end; ++k)
+		body_contacts_list(world, s, sparse, component, sparse->bodies[k], ratio, most);
+	return sparse->heavy_count > first;
+}
+
+/* ---- components ---- */
+
+/* Index behind the contacts that are of the same component as contact begin. */
+static int32_t end_of(const cni_sparse *sparse, int32_t begin)
+{
+	int32_t end = begin + 1;
+	while (end < sparse->heavy_count && sparse->heavies[end].component == sparse->heavies[begin].component)
+		++end;
+	return end;
+}
+
+void cni_heavy_contacts_find(cn_world *world, const cni_solve *s, cni_sparse *sparse)
+{
+	int32_t begin, end;
+	for (begin = 0; begin < sparse->heavy_count; begin = end) {
+		end = end_of(sparse, begin);
+		responses_find(world, s, sparse, begin, end);
+	}
+}
+
+/* ---- a pass ---- */
+
+/* Target of a normal impulse: a pass as in contacts/contact_kernel.h, without load and hardening, with the mass m. */
+static float normal_target(const cni_solve *s, const cni_direct_contact *p, int32_t row, float m, float speed, float separation, int32_t bias)
+{
+	const cni_contact_pass *pass = &s->contact[0];
+	float soft = pass->soft.mass_scale, push = cni_max(pass->soft.bias_scale * separation, -s->push_speed * soft);
+	if (separation > 0.0f && !bias && speed < pass->impact_speed && p->j[row] <= 0.0f)
+		return 0.0f;
+	if (separation <= 0.0f && bias)
+		return cni_max(soft * p->j[row] - m * (soft * speed + push), 0.0f);
+	return cni_max(p->j[row] - m * (speed + cni_max(separation * s->inv_h, 0.0f)), 0.0f);
+}
+
+static float friction_target(const cni_direct_contact *p, float m, float speed)
+{
+	float target = p->j[2] - m * speed, normal = p->j[0] + p->j[1], slide = p->dynamic_friction * normal;
+	return cni_abs(target) <= p->static_friction * normal ? target : cni_clamp(target, -slide, slide);
+}
+
+static void rows_solve(const cni_solve *s, const cni_heavy_contact *h, cni_direct_contact *p, const cni_motion *a, const cni_motion *b, int32_t bias)
+{
+	float u[3];
+	int32_t round, row, k;
+	for (k = 0; k < 3; ++k)
+		u[k] = row_speed(p, k, a, b);
+	for (round = 0; round < CNI_HEAVY_CONTACT_ROUNDS; ++round)
+		for (row = 0; row < 3; ++row) {
+			float target;
+			if (p->mass[row] <= 0.0f)
+				continue;
+			if (row < 2)
+				target = normal_target(s, p, row, 1.0f / h->k[row][row], u[row], cni_direct_contact_separation(p, row, a, b), bias);
+			else
+				target = friction_target(p, 1.0f / h->k[2][2], u[2]);
+			for (k = 0; k < 3; ++k)
+				u[k] += h->k[k][row] * (target - p->j[row]);
+			p->j[row] = target;
+		}
+}
+
+static void impulses_apply(cn_world *world, const cni_solve *s, cni_component *c, const cni_direct_contact *p, changes *d)
+{
+	cni_motion *motions = cni_motions(world);
+	int32_t row;
+	for (row = 0; row < 3; ++row) {
+		cni_direct_contact_push(p, row, p->j[row] - p->first[row], &d->a, &d->b);
+		cni_direct_contact_push(p, row, p->j[row] - p->first[row], motions + d->ia, motions + d->ib);
+	}
+	sides_set(s->direct, c, d);
+	if (!cni_direct_apply(world, s->direct, c))
+		cni_component_suspend(world, s->direct, c, 0);
+	else if (c->active)
+		cni_active_impulses_add(world, s->direct, c);
+}
+
+static void contact_solve(cn_world *world, const cni_solve *s, const cni_heavy_contact *h, int32_t bias)
+{
+	cni_component *c = &s->direct->components[h->component];
+	changes d = changes_begin(world, h->contact);
+	cni_direct_contact p;
+	int32_t k;
+	if (c->done)
+		return;
+	cni_direct_contact_read(world, cni_contact_at(world, h->contact), &p);
+	rows_solve(s, h, &p, cni_motions(world) + d.ia, cni_motions(world) + d.ib, bias);
+	if (p.j[0] != p.first[0] || p.j[1] != p.first[1] || p.j[2] != p.first[2])
+		impulses_apply(world, s, c, &p, &d);
+	d.block->jt[d.l] = p.j[2];
+	for (k = 0; k < 2; ++k)
+		d.block->p[k].jn[d.l] = d.block->p[k].load[d.l] = p.j[k];
+}
+
+/* Contacts begin to end - 1, which are those of one component. */
+static void component_solve(cn_world *world, const cni_solve *s, int32_t begin, int32_t end, int32_t bias)
+{
+	const cni_heavy_contact *heavies = s->direct->heavies;
+	const cni_component *c = &s->direct->components[heavies[begin].component];
+	float turn = turn_of(world, s->direct, c);
+	int32_t k, stale = 0;
+	for (k = begin; k < end && !bias && !c->done; ++k)
+		stale |= turn > heavies[k].turn_most;
+	if (stale)
+		responses_find(world, s, s->direct, begin, end);
+	for (k = begin; k < end; ++k)
+		contact_solve(world, s, &heavies[k], bias);
+}
+
+void cni_heavy_contacts_solve(cn_world *world, const cni_solve *s, int32_t bias)
+{
+	int32_t begin, end;
+	for (begin = 0; begin < s->direct->heavy_count; begin = end) {
+		end = end_of(s->direct, begin);
+		component_solve(world, s, begin, end, bias);
+	}
+}
