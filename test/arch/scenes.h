@@ -18,14 +18,14 @@ typedef struct arch_scene {
 
 #define ARCH_SCENES 8
 static const arch_scene arch_scenes[ARCH_SCENES] = {
-	{ "shapes", scene_shapes, 0x8dcef6ef56fd76e0 },
-	{ "joints", scene_joints, 0xbe21a0462c0c2c4c },
-	{ "direct", scene_direct, 0xd0a9bfee0b2f369d },
-	{ "tiers", scene_tiers, 0x8d34fc81c3245635 },
+	{ "shapes", scene_shapes, 0xc476881e190c61ee },
+	{ "joints", scene_joints, 0x3757dd607fe16fe9 },
+	{ "direct", scene_direct, 0x0fda31ac143a07fe },
+	{ "tiers", scene_tiers, 0x6a601cecdce3d103 },
 	{ "sequential", scene_sequential, 0x37028daf8c29bd86 },
-	{ "queries", scene_queries, 0x8f88edf789c0a19f },
-	{ "events", scene_events, 0xb9bd9ed94094c248 },
-	{ "file", scene_file, 0x53447e7324db5b1d },
+	{ "queries", scene_queries, 0x87ec33d6dbf77bec },
+	{ "events", scene_events, 0x96311d807eed3715 },
+	{ "file", scene_file, 0xcf0a0608f1c7d1b4 },
 };
 
 /* The number of a scene; 0 if a call failed: arch_failed_line. */
