@@ -30,6 +30,15 @@ void cni_direct_rotations(const cn_world *world, cni_sparse *sparse, const cni_c
 		sparse->turn[sparse->bodies[k]] = cni_rot_small(cni_motions(world)[sparse->bodies[k]].theta);
 }
 
+int32_t cni_component_is_touched(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	int32_t k;
+	for (k = c->body_begin; k < c->body_end; ++k)
+		if (cni_externals(world)[sparse->bodies[k]].flags & CNI_EXTERNAL_TOUCHED)
+			return 1;
+	return 0;
+}
+
 void cni_component_release(cn_world *world, cni_sparse *sparse, cni_component *c)
 {
 	int32_t k;

@@ -74,18 +74,9 @@ static int32_t is_loop_of_pins_and_rods(const cn_world *world, const cni_sparse 
 	return 1;
 }
 
-static int32_t is_touched(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
-{
-	int32_t k;
-	for (k = c->body_begin; k < c->body_end; ++k)
-		if (cni_externals(world)[sparse->bodies[k]].flags & CNI_EXTERNAL_TOUCHED)
-			return 1;
-	return 0;
-}
-
 static int32_t loop_is_better_soft(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
-	return CNI_ON(SOFT_LOOPS) && is_loop_of_pins_and_rods(world, sparse, c) && !is_requested(world, sparse, c) && is_touched(world, sparse, c);
+	return CNI_ON(SOFT_LOOPS) && is_loop_of_pins_and_rods(world, sparse, c) && !is_requested(world, sparse, c) && cni_component_is_touched(world, sparse, c);
 }
 
 /*

@@ -17,6 +17,8 @@ int32_t cni_direct_plan(cn_world *world, const cni_solve *s, cni_sparse *out);
 void cni_direct_refresh(cn_world *world, cni_sparse *sparse, const cni_component *c);
 /* Bound on the scratch memory of planning. direct/direct_plan.c */
 uint64_t cni_direct_plan_bytes(int32_t solver, int32_t joints, int32_t contacts, int32_t bodies);
+/* 1: some body of the component has contacts in lanes. */
+int32_t cni_component_is_touched(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
 /* Returns the joints of the component to the soft solver for this step. */
 void cni_component_release(cn_world *world, cni_sparse *sparse, cni_component *c);
 /* ... and for `span` steps; 0: for a span that doubles with each failure. */

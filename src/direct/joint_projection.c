@@ -16,13 +16,7 @@
 
 static int32_t may_open(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
-	int32_t n;
-	if (c->done || c->has_contacts)
-		return 0;
-	for (n = c->body_begin; n < c->body_end; ++n)
-		if (cni_externals(world)[sparse->bodies[n]].flags & CNI_EXTERNAL_TOUCHED)
-			return 1;
-	return 0;
+	return !c->done && !c->has_contacts && cni_component_is_touched(world, sparse, c);
 }
 
 /* Most rounds of contacts of a component in a substep: an impact travels through a tree joint by joint. */
