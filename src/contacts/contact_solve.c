@@ -174,11 +174,21 @@ static void overflow_run_again(cn_world *world, const cni_solve *s)
 	}
 }
 
+void cni_contact_mark_again(const cn_world *world, int32_t slot)
+{
+	cni_block_info_at(world, slot / CNI_LANES)->again |= 1u << slot % CNI_LANES;
+}
+
 void cni_contacts_solve_again(cn_world *world, const cni_solve *s)
 {
 	overflow_run_again(world, s);
 	colors_run(world, s, CNI_PASS_AGAIN);
 }
+
+#else
+
+void cni_contact_mark_again(const cn_world *world, int32_t slot) { (void)world, (void)slot; }
+void cni_contacts_solve_again(cn_world *world, const cni_solve *s) { (void)world, (void)s; }
 
 #endif
 

@@ -159,7 +159,7 @@ static void contacts_mark(const cn_world *world, cni_sparse *sparse, cni_project
 	for (k = projection->slot_begin; k < projection->slot_end; ++k) {
 		int32_t slot = sparse->projection_slots[k];
 		const cni_contact_block *block = cni_block_at(world, slot / CNI_LANES);
-		cni_block_info_at(world, slot / CNI_LANES)->again |= 1u << slot % CNI_LANES;
+		cni_contact_mark_again(world, slot);
 		change_mark(sparse, block->ia[slot % CNI_LANES]);
 		change_mark(sparse, block->ib[slot % CNI_LANES]);
 	}

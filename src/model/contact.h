@@ -118,7 +118,7 @@ typedef struct cni_block_info {
 	uint16_t anchored;               /* bits of lanes with an anchor */
 	int32_t sums;                    /* index of its cni_block_sums, or CNI_NONE; within a step, where world.sums is not NULL */
 #if CNI_HAS_DIRECT
-	uint32_t again;                  /* bits of lanes that cni_contacts_solve_again solves; 0 between its calls */
+	uint32_t again;                  /* bits of marked lanes: cni_contact_mark_again */
 #endif
 } cni_block_info;
 
