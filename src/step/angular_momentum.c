@@ -27,17 +27,9 @@
 
 #define RECORDS_AHEAD 8 /* bodies whose records are asked for */
 
-/* A body of a group at the beginning of the step. */
-typedef struct member {
-	cni_vec2 center; /* from the centre of the group's first body */
-	cni_vec2 v;
-	float w;
-} member;
-
 /* Connected bodies, by ascending dense index. */
 typedef struct body_group {
 	const int32_t *bodies;
-	member *members; /* NULL: no memory, records are read in each pass */
 	int32_t count;
 } body_group;
 
@@ -223,44 +215,21 @@ static void record_prefetch(const cn_world *world, int32_t index)
 	CNI_PREFETCH(&body_at(world, index)->w);
 }
 
-static member member_read(const cn_world *world, const body_group *p, int32_t k)
-{
-	const cni_body *b = body_at(world, p->bodies[k]);
-	member m;
-	m.center = center_of(b, body_at(world, p->bodies[0]));
-	m.v = cni_v(b->vx, b->vy);
-	m.w = b->w;
-	return m;
-}
-
-/* The records are not near each other. */
-static void members_read(const cn_world *world, const body_group *p)
-{
-	int32_t k;
-	for (k = 0; k < p->count && p->members != NULL; ++k) {
-		if (k + RECORDS_AHEAD < p->count)
-			record_prefetch(world, p->bodies[k + RECORDS_AHEAD]);
-		p->members[k] = member_read(world, p, k);
-	}
-}
-
-static member member_of(const cn_world *world, const body_group *p, int32_t k)
-{
-	return p->members != NULL ? p->members[k] : member_read(world, p, k);
-}
-
 static void means_find(const cn_world *world, const body_group *p, correction *t)
 {
+	const cni_body *first = body_at(world, p->bodies[0]);
 	int32_t k;
 	for (k = 0; k < p->count; ++k) {
-		const member b = member_of(world, p, k);
+		const cni_body *b = body_at(world, p->bodies[k]);
 		const cni_motion *m = cni_motions(world) + p->bodies[k];
 		float mass = 1.0f / m->inv_mass;
+		if (k + RECORDS_AHEAD < p->count)
+			record_prefetch(world, p->bodies[k + RECORDS_AHEAD]);
 		t->mass += mass;
-		t->center = cni_madd(t->center, mass, b.center);
+		t->center = cni_madd(t->center, mass, center_of(b, first));
 		t->moved = cni_madd(t->moved, mass, cni_v(m->dpx, m->dpy));
-		t->speed = cni_madd(t->speed, mass, b.v);
-		t->change = cni_madd(t->change, mass, cni_v(m->vx - b.v.x, m->vy - b.v.y));
+		t->speed = cni_madd(t->speed, mass, cni_v(b->vx, b->vy));
+		t->change = cni_madd(t->change, mass, cni_v(m->vx - b->vx, m->vy - b->vy));
 	}
 	t->center = cni_mul(1.0f / t->mass, t->center);
 	t->moved = cni_mul(1.0f / t->mass, t->moved);
@@ -276,44 +245,44 @@ static cni_vec2 arm_change(const correction *t, const cni_motion *m)
 
 static void lost_find(const cn_world *world, const body_group *p, correction *t)
 {
+	const cni_body *first = body_at(world, p->bodies[0]);
 	int32_t k;
 	for (k = 0; k < p->count; ++k) {
-		const member b = member_of(world, p, k);
+		const cni_body *b = body_at(world, p->bodies[k]);
 		const cni_motion *m = cni_motions(world) + p->bodies[k];
 		float mass = 1.0f / m->inv_mass, inertia = 1.0f / m->inv_inertia;
-		cni_vec2 r = cni_sub(b.center, t->center), dr = arm_change(t, m);
-		cni_vec2 du = cni_sub(cni_v(m->vx - b.v.x, m->vy - b.v.y), t->change);
-		cni_vec2 u = cni_add(cni_sub(b.v, t->speed), du);
-		t->lost += mass * (cni_cross(r, du) + cni_cross(dr, u)) + inertia * (m->w - b.w);
+		cni_vec2 r = cni_sub(center_of(b, first), t->center), dr = arm_change(t, m);
+		cni_vec2 du = cni_sub(cni_v(m->vx - b->vx, m->vy - b->vy), t->change);
+		cni_vec2 u = cni_add(cni_sub(cni_v(b->vx, b->vy), t->speed), du);
+		t->lost += mass * (cni_cross(r, du) + cni_cross(dr, u)) + inertia * (m->w - b->w);
 		t->inertia += mass * cni_length_sq(cni_add(r, dr)) + inertia;
 	}
 }
 
 static void correction_apply(const cn_world *world, const body_group *p, const correction *t)
 {
+	const cni_body *first = body_at(world, p->bodies[0]);
 	float w = -t->lost / t->inertia;
 	int32_t k;
 	for (k = 0; k < p->count; ++k) {
+		const cni_body *b = body_at(world, p->bodies[k]);
 		cni_motion *m = cni_motions(world) + p->bodies[k];
-		cni_vec2 r = cni_add(cni_sub(member_of(world, p, k).center, t->center), arm_change(t, m));
+		cni_vec2 r = cni_add(cni_sub(center_of(b, first), t->center), arm_change(t, m));
 		m->vx -= w * r.y;
 		m->vy += w * r.x;
 		m->w += w;
 	}
 }
 
-static void group_restore(cn_world *world, body_group *p)
+static void group_restore(const cn_world *world, const body_group *p)
 {
 	correction t;
 	if (p->count < 2 || !is_isolated(world, p))
 		return;
-	p->members = (member *)cni_arena_push(&world->arena, sizeof(member) * (uint64_t)p->count);
 	memset(&t, 0, sizeof t);
-	members_read(world, p);
 	means_find(world, p, &t);
 	lost_find(world, p, &t);
 	correction_apply(world, p, &t);
-	(void)cni_arena_pop(&world->arena, p->members);
 }
 
 /* Groups are in the order of their roots. */
