@@ -448,7 +448,7 @@ static void kernel_relax(const cni_color_pass *c, int32_t begin, int32_t end)
 
 #if CNI_HAS_DIRECT
 
-/* Solves the marked lanes once more, and clears the marks. */
+/* Solves the lanes that are marked once more, and clears the marks. */
 static void kernel_again(const cni_color_pass *c, int32_t begin, int32_t end)
 {
 	int32_t k, l;

@@ -163,32 +163,32 @@ void cni_contacts_solve(cn_world *world, const cni_solve *s)
 
 #if CNI_HAS_DIRECT
 
+static void overflow_run_again(cn_world *world, const cni_solve *s)
+{
+	const cni_listed_block *blocks = cni_listed_blocks(world, CNI_COLOR_OVERFLOW);
+	int32_t count = world->colors[CNI_COLOR_OVERFLOW].listed_count, k;
+	for (k = 0; k < count; ++k) {
+		uint32_t again = blocks[k].info->again;
+		for (blocks[k].info->again = 0; again != 0; again &= again - 1u)
+			lane_run(world, s, CNI_PASS_SOLVE, &blocks[k], cni_bit_lowest32(again));
+	}
+}
+
 void cni_contact_mark_again(const cn_world *world, int32_t slot)
 {
 	cni_block_info_at(world, slot / CNI_LANES)->again |= 1u << slot % CNI_LANES;
 }
 
-void cni_contact_solve_again(cn_world *world, const cni_solve *s, int32_t slot)
+void cni_contacts_solve_again(cn_world *world, const cni_solve *s)
 {
-	uint32_t again = cni_block_info_at(world, slot / CNI_LANES)->again;
-	cni_listed_block b;
-	cni_color_pass c;
-	if (again == 0)
-		return;
-	b = listed_of(world, slot / CNI_LANES, CNI_LANES);
-	c = color_pass_make(world, s, &b);
-	if (b.info->color != CNI_COLOR_OVERFLOW) {
-		s->kernel->pass[CNI_PASS_AGAIN](&c, 0, 1);
-		return;
-	}
-	for (b.info->again = 0; again != 0; again &= again - 1u)
-		lane_run(world, s, CNI_PASS_SOLVE, &b, cni_bit_lowest32(again));
+	overflow_run_again(world, s);
+	colors_run(world, s, CNI_PASS_AGAIN);
 }
 
 #else
 
 void cni_contact_mark_again(const cn_world *world, int32_t slot) { (void)world, (void)slot; }
-void cni_contact_solve_again(cn_world *world, const cni_solve *s, int32_t slot) { (void)world, (void)s, (void)slot; }
+void cni_contacts_solve_again(cn_world *world, const cni_solve *s) { (void)world, (void)s; }
 
 #endif
 

@@ -216,25 +216,15 @@ static int32_t projections_run(cn_world *world, const cni_solve *s, int32_t roun
 	return opening;
 }
 
-/* Blocks that opening components share are solved once, at the first. */
-static void contacts_solve_again(cn_world *world, const cni_solve *s)
-{
-	int32_t k, i;
-	for (k = 0; k < s->direct->projection_count; ++k)
-		if (s->direct->projections[k].opening)
-			contacts_mark(world, s->direct, &s->direct->projections[k]);
-	for (k = 0; k < s->direct->projection_count; ++k) {
-		const cni_projection *p = &s->direct->projections[k];
-		for (i = p->slot_begin; p->opening && i < p->slot_end; ++i)
-			cni_contact_solve_again(world, s, s->direct->projection_slots[i]);
-	}
-}
-
 void cni_direct_project(cn_world *world, const cni_solve *s)
 {
-	int32_t round;
+	int32_t k, round;
 	if (s->direct == NULL || s->direct->projection_count == 0)
 		return;
-	for (round = 0; projections_run(world, s, round); ++round)
-		contacts_solve_again(world, s);
+	for (round = 0; projections_run(world, s, round); ++round) {
+		for (k = 0; k < s->direct->projection_count; ++k)
+			if (s->direct->projections[k].opening)
+				contacts_mark(world, s->direct, &s->direct->projections[k]);
+		cni_contacts_solve_again(world, s);
+	}
 }

@@ -20,12 +20,12 @@ typedef struct arch_scene {
 static const arch_scene arch_scenes[ARCH_SCENES] = {
 	{ "shapes", scene_shapes, 0xc476881e190c61ee },
 	{ "joints", scene_joints, 0x3757dd607fe16fe9 },
-	{ "direct", scene_direct, 0xa668f4b6e7cacf02 },
-	{ "tiers", scene_tiers, 0x617513b8057ae9b3 },
+	{ "direct", scene_direct, 0x0fda31ac143a07fe },
+	{ "tiers", scene_tiers, 0x6a601cecdce3d103 },
 	{ "sequential", scene_sequential, 0x37028daf8c29bd86 },
 	{ "queries", scene_queries, 0x87ec33d6dbf77bec },
-	{ "events", scene_events, 0x811d1321652e6b16 },
-	{ "file", scene_file, 0x079153a73aaf3b81 },
+	{ "events", scene_events, 0x96311d807eed3715 },
+	{ "file", scene_file, 0xcf0a0608f1c7d1b4 },
 };
 
 /* The number of a scene; 0 if a call failed: arch_failed_line. */

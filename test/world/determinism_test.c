@@ -24,13 +24,13 @@ typedef struct golden {
 
 /* clang-format off */
 static const golden goldens[] = {
-	{ "falling_hinges", 480, 1, 0xecd2ad66f64ad295 },
+	{ "falling_hinges", 480, 1, 0x4ddce11cf2ce4998 },
 	{ "small_200", 300, 1, 0x7b52fe6a8a59a278 },
 	{ "small_50_sleep", 600, 1, 0x60448e150b7686e9 },
 	{ "dominoes", 400, 1, 0x2fd6a50dd1e539aa },
-	{ "ragdolls", 480, 1, 0x6d27a0c3ef819d0b },
+	{ "ragdolls", 480, 1, 0xd4811c05b4549bdf },
 	{ "bridge", 240, 1, 0x423c422d07990c16 },
-	{ "car", 400, 1, 0xa504f1f1445f979c },
+	{ "car", 400, 1, 0x325c21d67eada2ff },
 	{ "mixer", 240, 1, 0xc42c77718b74e1bd },
 	{ "pyramid", 120, 0, 0xbb24e8518c196cd8 },
 	{ "rain", 150, 0, 0xbd48b22521a1db77 },
