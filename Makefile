@@ -41,7 +41,7 @@ CC := gcc
 endif
 # Tests take the user's CFLAGS if there are any, else a quick and debuggable build.
 ifndef TEST_CFLAGS
-TEST_CFLAGS := $(if $(CFLAGS),$(CFLAGS),-O2 -g)
+TEST_CFLAGS := $(if $(CFLAGS),$(CFLAGS),-O1 -g)
 endif
 TEST_DEFINES ?= -DCNI_DEBUG
 CFLAGS ?= -O3
