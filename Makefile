@@ -54,7 +54,7 @@ endif
 say = $(if $(V),,@echo '$(1)' $(patsubst $(BUILD)/%,%,$@);)
 
 STRICT := -std=c99 -pedantic -Wall -Wextra -Wshadow -Wconversion -Wdouble-promotion $(WERROR)
-MODE := -ffp-contract=off -ffunction-sections -fdata-sections -fvisibility=hidden -MMD -MP
+MODE := -ffp-contract=off -fno-math-errno -ffunction-sections -fdata-sections -fvisibility=hidden -MMD -MP
 LIB_FLAGS = $(STRICT) $(MODE) -Iinclude -Isrc -DCN_BUILD $(if $(WINDOWS),-DCN_SHARED,-fPIC)
 EXAMPLE_FLAGS = $(STRICT) $(MODE) -Iinclude -Iexamples
 TEST_FLAGS = $(STRICT) $(MODE) -Iinclude -Isrc -Itest -Iexamples

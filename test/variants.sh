@@ -256,7 +256,7 @@ no_fused_operations() {
 sanitize='-O1 -gline-tables-only -fno-omit-frame-pointer -fno-sanitize-recover=all'
 slow='-DCNI_DEBUG -DTEST_SLOW' # a build that is slow: fewer scenes of a kind
 threads='base/threads broadphase/broadphase_threads world/threads world/threads_contacts world/threads_pairs'
-bits='world/determinism world/random collision/manifold_batch step/integrate joints/joint_blocks joints/joint_rows
+bits='world/determinism world/random collision/manifold_batch step/integrate joints/joint_blocks joints/joint_nets
 	narrowphase/cull'
 # What sleeps, wakes, is saved or checked.
 small='world/sleep world/sleep_slow world/wake world/body_state world/events_pair world/validate save/save save/save_delta save/file_hostile

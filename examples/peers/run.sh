@@ -12,7 +12,7 @@ out=$(cd "$1/peers" && pwd)
 shift
 CC=${CC:-gcc}
 strict='-std=c99 -pedantic -Wall -Wextra -Wshadow -Wconversion -Wdouble-promotion -Werror'
-optimise='-O3 -ffp-contract=off'
+optimise='-O3 -ffp-contract=off -fno-math-errno'
 
 quick= scene= workers=1
 arguments=$*

@@ -45,7 +45,6 @@
 	X(CULLING)            /* culling of separated pairs, four at a time */ \
 	X(FAT_BOXES)          /* fat boxes with margins by size, extended along free flight */ \
 	X(JOINT_LANES)        /* joints side by side in lanes */ \
-	X(ROW_LANES)          /* ... also joints other than pins */ \
 	X(KEPT_LANES)         /* ... in the lanes of the last step */ \
 	X(BODY_KERNELS)       /* bodies side by side in integration and finalize */ \
 	X(MANIFOLD_BATCHES)   /* manifolds of polygons, capsules and edges side by side */ \

@@ -9,19 +9,14 @@
  */
 #include "base/arena.h"
 
+#include <string.h>
+
 #define ARENA_GROWTH_BYTES 4096u
 
 void cni_arena_init(cni_arena *arena, cni_memory *memory)
 {
+	memset(arena, 0, sizeof *arena);
 	arena->memory = memory;
-	arena->block = NULL;
-	arena->capacity = 0;
-	arena->used = 0;
-	arena->in_use = 0;
-	arena->high_water = 0;
-	arena->fallbacks = 0;
-	arena->entry_count = 0;
-	arena->reserved = 0;
 }
 
 static void arena_pop_last(cni_arena *arena)

@@ -37,7 +37,7 @@ typedef struct cni_blocks {
 	uint64_t bytes_in_chunks; /* class chunks */
 	uint64_t bytes_in_use;    /* pieces, rounded up to their class */
 	uint64_t bytes_large;
-	/* The table of chunks of a state that is about to be loaded: base/snapshot.c. */
+	/* The members from free_head to here are saved. The table of chunks of a state that is about to be loaded: base/snapshot.c. */
 	uint64_t *next_bytes;
 	uint8_t **next_chunks;
 	int32_t next_count;

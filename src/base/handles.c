@@ -97,8 +97,7 @@ static const cni_alias *alias_find(const cni_array *list, int32_t by_slot, int32
 
 static int32_t alias_is_given(const cni_handles *handles, int32_t index) { return alias_find(&handles->aliases, 0, index) != NULL; }
 
-/* The alias of a slot, alive or free; 0: none. */
-static int32_t alias_of(const cni_handles *handles, int32_t slot)
+int32_t cni_handles_alias_of(const cni_handles *handles, int32_t slot)
 {
 	const cni_alias *alias = alias_find(&handles->by_slot, 1, slot);
 
@@ -139,7 +138,7 @@ static int32_t alias_choose(cni_handles *handles, int32_t slot)
 	if (index != CNI_NONE || !alias_is_given(handles, slot))
 		return index;
 	for (index = INDEX_COUNT - 1; index > 0; --index)
-		if (!alias_is_given(handles, index) && (index >= handles->slots.count || alias_of(handles, index) != 0))
+		if (!alias_is_given(handles, index) && (index >= handles->slots.count || cni_handles_alias_of(handles, index) != 0))
 			break;
 	return index;
 }
@@ -147,7 +146,7 @@ static int32_t alias_choose(cni_handles *handles, int32_t slot)
 /* Another index for a slot that has worn out the one it had. */
 static void alias_give(cni_handles *handles, int32_t slot)
 {
-	int32_t old = alias_of(handles, slot);
+	int32_t old = cni_handles_alias_of(handles, slot);
 	cni_alias alias;
 
 	if (old != 0) {
@@ -240,7 +239,7 @@ int32_t cni_handles_take(cni_handles *handles)
 		alias_give(handles, slot);
 		*word = (uint32_t)1 << GENERATION_SHIFT;
 	}
-	*word = (*word & ~NEXT_MASK) | ALIVE_BIT | (uint32_t)alias_of(handles, slot);
+	*word = (*word & ~NEXT_MASK) | ALIVE_BIT | (uint32_t)cni_handles_alias_of(handles, slot);
 	handles->count += 1;
 	return slot;
 }

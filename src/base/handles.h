@@ -37,7 +37,7 @@ typedef struct cni_handles {
 	cni_array aliases;   /* cni_alias of the slots that have one, by rising index */
 	cni_array by_slot;   /* the same by rising slot */
 	int32_t kind;
-	int32_t count;       /* alive */
+	int32_t count;       /* alive; the members from here on are saved as one */
 	int32_t free_first;  /* index or CNI_NONE */
 	int32_t free_last;
 	int32_t worn;        /* free slots that need an alias */
@@ -57,6 +57,8 @@ int32_t cni_handles_take(cni_handles *handles);
 void cni_handles_release(cni_handles *handles, int32_t slot);
 /* cni_handles_find of handles that have aliases. O(log of their number). */
 int32_t cni_handles_find_alias(const cni_handles *handles, uint32_t handle);
+/* The alias of a slot, alive or free; 0: none. */
+int32_t cni_handles_alias_of(const cni_handles *handles, int32_t slot);
 /* Handle of a live slot. */
 uint32_t cni_handles_of(const cni_handles *handles, int32_t slot);
 int32_t cni_handles_alive(const cni_handles *handles, int32_t slot);

@@ -62,6 +62,17 @@ static inline cni_rot cni_rot_normalize(cni_rot q)
 typedef struct cni_transform { cni_rot q; cni_vec2 t; } cni_transform;
 static inline cni_vec2 cni_transform_point(cni_transform x, cni_vec2 p) { return cni_add(cni_rotate(x.q, p), x.t); }
 static inline cni_vec2 cni_untransform_point(cni_transform x, cni_vec2 p) { return cni_unrotate(x.q, cni_sub(p, x.t)); }
+static inline cni_transform cni_identity(void)
+{
+	cni_transform x = { { 1.0f, 0.0f }, { 0.0f, 0.0f } };
+	return x;
+}
+/* Where on the segment from a along edge the point nearest to p is: 0 at a (also if edge is 0) to 1. */
+static inline float cni_segment_fraction(cni_vec2 p, cni_vec2 a, cni_vec2 edge)
+{
+	float length_sq = cni_length_sq(edge);
+	return length_sq > 0.0f ? cni_clamp(cni_dot(cni_sub(p, a), edge) / length_sq, 0.0f, 1.0f) : 0.0f;
+}
 
 typedef struct cni_aabb { float x0, y0, x1, y1; } cni_aabb;
 static inline int32_t cni_aabb_overlap(const cni_aabb *a, const cni_aabb *b)
@@ -80,12 +91,35 @@ static inline cni_aabb cni_aabb_of_segment(cni_vec2 a, cni_vec2 b)
 }
 static inline cni_aabb cni_aabb_union(const cni_aabb *a, const cni_aabb *b)
 {
-	cni_aabb u;
-	u.x0 = cni_min(a->x0, b->x0);
-	u.y0 = cni_min(a->y0, b->y0);
-	u.x1 = cni_max(a->x1, b->x1);
-	u.y1 = cni_max(a->y1, b->y1);
+	cni_aabb u = { cni_min(a->x0, b->x0), cni_min(a->y0, b->y0), cni_max(a->x1, b->x1), cni_max(a->y1, b->y1) };
 	return u;
+}
+static inline cni_aabb cni_aabb_with_point(cni_aabb box, cni_vec2 p)
+{
+	cni_aabb u = { cni_min(p.x, box.x0), cni_min(p.y, box.y0), cni_max(p.x, box.x1), cni_max(p.y, box.y1) };
+	return u;
+}
+static inline cni_aabb cni_aabb_of(cni_vec2 lower, cni_vec2 upper)
+{
+	cni_aabb box = { lower.x, lower.y, upper.x, upper.y };
+	return box;
+}
+/* The box with a margin on all sides. */
+static inline cni_aabb cni_box_fatten(cni_aabb box, float margin)
+{
+	cni_aabb fat = { box.x0 - margin, box.y0 - margin, box.x1 + margin, box.y1 + margin };
+	return fat;
+}
+static inline cni_aabb cni_box_moved(cni_aabb box, cni_vec2 by)
+{
+	cni_aabb moved = { box.x0 + by.x, box.y0 + by.y, box.x1 + by.x, box.y1 + by.y };
+	return moved;
+}
+/* A box that overlaps nothing, also not itself. */
+static inline cni_aabb cni_no_box(void)
+{
+	cni_aabb box = { INFINITY, INFINITY, -INFINITY, -INFINITY };
+	return box;
 }
 
 /* 1 when neither NaN nor infinite. */

@@ -9,6 +9,8 @@
  */
 #include "base/memory.h"
 
+#include <string.h>
+
 #ifndef CN_NO_MALLOC
 #include <stdlib.h>
 #endif
@@ -71,23 +73,10 @@ static void heap_free(void *memory, uint64_t bytes, void *user)
 
 #endif
 
-static void memory_clear(cni_memory *memory)
-{
-	memory->alloc = NULL;
-	memory->free = NULL;
-	memory->user = NULL;
-	memory->holes = NULL;
-	memory->fixed = 0;
-	memory->reserved = 0;
-	memory->bytes_in_use = 0;
-	memory->bytes_peak = 0;
-	memory->calls = 0;
-}
-
 void cni_memory_init_hooks(cni_memory *memory, cn_alloc_fn *alloc, cn_free_fn *free_hook, void *user)
 {
 	CNI_ASSERT((alloc == NULL) == (free_hook == NULL));
-	memory_clear(memory);
+	memset(memory, 0, sizeof *memory);
 	memory->alloc = alloc != NULL ? alloc : heap_alloc;
 	memory->free = alloc != NULL ? free_hook : heap_free;
 	memory->user = user;
@@ -96,7 +85,7 @@ void cni_memory_init_hooks(cni_memory *memory, cn_alloc_fn *alloc, cn_free_fn *f
 void cni_memory_init_block(cni_memory *memory, void *block, uint64_t bytes)
 {
 	CNI_ASSERT((uintptr_t)block % CNI_MEMORY_ALIGN == 0);
-	memory_clear(memory);
+	memset(memory, 0, sizeof *memory);
 	memory->fixed = 1;
 	if (bytes >= CNI_MEMORY_ALIGN) {
 		memory->holes = (cni_hole *)block;

@@ -125,19 +125,6 @@ static void chunks_reserve(cni_snapshot *s, cni_blocks *blocks, int32_t count)
 	}
 }
 
-/* The state of the block allocator except its chunks. */
-static void blocks_state(cni_snapshot *s, cni_blocks *blocks)
-{
-	cni_snapshot_state(s, blocks->free_head, sizeof blocks->free_head);
-	cni_snapshot_state(s, blocks->free_count, sizeof blocks->free_count);
-	cni_snapshot_state(s, &blocks->empty_slot, sizeof blocks->empty_slot);
-	cni_snapshot_state(s, &blocks->tail, sizeof blocks->tail);
-	cni_snapshot_state(s, &blocks->tail_units, sizeof blocks->tail_units);
-	cni_snapshot_state(s, &blocks->bytes_in_chunks, sizeof blocks->bytes_in_chunks);
-	cni_snapshot_state(s, &blocks->bytes_in_use, sizeof blocks->bytes_in_use);
-	cni_snapshot_state(s, &blocks->bytes_large, sizeof blocks->bytes_large);
-}
-
 /* Passes a chunk's size and the number of its bytes that follow; for a free index 0 and the next free index. */
 static void chunk_pass(cni_snapshot *s, cni_blocks *blocks, int32_t slot, uint64_t *used)
 {
@@ -176,5 +163,5 @@ void cni_snapshot_blocks(cni_snapshot *s, cni_blocks *blocks)
 		if (blocks->chunks[k] != NULL)
 			cni_snapshot_state(s, blocks->chunks[k], used);
 	}
-	blocks_state(s, blocks);
+	cni_snapshot_members(s, blocks, offsetof(cni_blocks, free_head), offsetof(cni_blocks, next_bytes));
 }

@@ -29,6 +29,11 @@ typedef struct cni_snapshot {
 cni_snapshot cni_snapshot_begin(int32_t mode, void *bytes, cni_memory *memory);
 /* Copies state of a fixed size. */
 void cni_snapshot_state(cni_snapshot *s, void *state, uint64_t bytes);
+/* Copies the members of a record that lie from one offset up to another. */
+static inline void cni_snapshot_members(cni_snapshot *s, void *record, size_t from, size_t to)
+{
+	cni_snapshot_state(s, (uint8_t *)record + from, to - from);
+}
 /* A number that controls the traversal: SAVE writes it; the other modes except MEASURE return the number in the bytes. */
 int32_t cni_snapshot_number(cni_snapshot *s, int32_t number);
 /* The items below count. */

@@ -227,9 +227,26 @@ static int32_t tree_validate(const cni_broadphase *broadphase)
 	return cni_tree_validate(&b->tree);
 }
 
+/* Number of places up to the last item in the tree; the capacity behind it is not saved. */
+static int32_t places_used(const cni_tree *tree)
+{
+	int32_t count = tree->places.count;
+	while (count > 0 && cni_tree_place(tree, count - 1) == CNI_NONE)
+		--count;
+	return count;
+}
+
 static void tree_snapshot(cni_broadphase *broadphase, cni_snapshot *s)
 {
-	cni_tree_snapshot(&tree_of(broadphase)->tree, s);
+	cni_tree *tree = &tree_of(broadphase)->tree;
+	int32_t k, places = cni_snapshot_number(s, places_used(tree));
+	if (cni_snapshot_reserves(s))
+		cni_snapshot_need(s, cni_tree_reserve(tree, s->memory, places, 0));
+	cni_snapshot_state(s, tree->places.data, (uint64_t)places * sizeof(int32_t));
+	cni_snapshot_array(s, &tree->nodes);
+	cni_snapshot_members(s, tree, offsetof(cni_tree, node_free), sizeof *tree);
+	for (k = places; k < tree->places.count && s->mode == CNI_SNAPSHOT_LOAD; ++k)
+		((int32_t *)tree->places.data)[k] = CNI_NONE;
 }
 
 const cni_broadphase_ops cni_broadphase_tree = {

@@ -38,13 +38,4 @@ void cni_pairs_add(cni_broadphase_pairs *pairs, cni_memory *memory, int32_t a, i
 /* Sorts by (a, b). */
 void cni_pairs_sort(cni_broadphase_pairs *pairs, cni_arena *arena);
 
-/* A box that overlaps nothing, also not itself. */
-static inline cni_aabb cni_no_box(void)
-{
-	cni_aabb box;
-	box.x0 = box.y0 = INFINITY;
-	box.x1 = box.y1 = -INFINITY;
-	return box;
-}
-
 #endif

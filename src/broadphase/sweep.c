@@ -226,11 +226,7 @@ static int32_t entries_hold(const cni_sweep *sweep, int32_t tile)
 	int32_t k;
 	for (k = 0; k < t->count; ++k) {
 		const cni_proxy *proxy = cni_sweep_proxy(sweep, rows.id[k]);
-		cni_aabb box;
-		box.x0 = rows.x0[k];
-		box.x1 = rows.x1[k];
-		box.y0 = rows.y0[k];
-		box.y1 = rows.y1[k];
+		cni_aabb box = cni_sweep_box_at(rows.x0, rows.y0, rows.x1, rows.y1, k);
 		if (proxy->cell != tile || !cni_aabb_contains(&t->bounds, &box) || box.x1 - box.x0 > t->reach ||
 		    cni_sweep_extent(&box) > sweep->levels[t->level].reach)
 			return 0;
@@ -299,11 +295,33 @@ static int32_t sweep_validate(const cni_broadphase *broadphase)
 	return tiles_hold(cni_sweep_of(broadphase), &entries) && marks_hold(cni_sweep_of(broadphase), entries);
 }
 
+/* ---- snapshots ---- */
+
+/* Sets of ids: only the words of ids up to id_end are copied, because the number of words depends on the capacity. */
+static void bits_pass(cni_snapshot *s, cni_array *bits, int32_t words)
+{
+	if (s->mode == CNI_SNAPSHOT_LOAD && bits->count > 0)
+		memset(bits->data, 0, (size_t)bits->count * sizeof(uint64_t));
+	cni_snapshot_state(s, bits->data, (uint64_t)words * sizeof(uint64_t));
+}
+
+/* Loading rebuilds the table from cells to tiles. */
 static void sweep_snapshot(cni_broadphase *broadphase, cni_snapshot *s)
 {
+	cni_sweep *sweep = sweep_of(broadphase);
+	int32_t words = cni_snapshot_number(s, cni_bit_words(sweep->id_end)), tiles = cni_snapshot_number(s, sweep->tile_count);
 	if (cni_snapshot_reserves(s))
-		cni_snapshot_need(s, sweep_reserve(broadphase, 0));
-	cni_sweep_snapshot(broadphase, s);
+		cni_snapshot_need(s, sweep_reserve(broadphase, 0) && words <= sweep->moved.count && words <= sweep->loose.count &&
+		                             cni_sweep_slots_reserve(sweep, tiles));
+	bits_pass(s, &sweep->moved, words);
+	bits_pass(s, &sweep->loose, words);
+	cni_snapshot_array(s, &sweep->tiles);
+	cni_snapshot_blocks(s, &sweep->rows);
+	cni_snapshot_members(s, sweep, offsetof(cni_sweep, rows_bytes), sizeof *sweep);
+	if (s->mode == CNI_SNAPSHOT_LOAD) {
+		sweep->tile_count = tiles;
+		cni_sweep_slots_fill(sweep);
+	}
 }
 
 const cni_broadphase_ops cni_broadphase_sweep = {

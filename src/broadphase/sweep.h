@@ -1,14 +1,13 @@
 /*
  * broadphase/sweep.h - private to the files of the tiled sweep-and-prune broadphase:
  *
- *   sweep.c         the operations of broadphase/broadphase.h, validation, memory figures
+ *   sweep.c         the operations of broadphase/broadphase.h, validation, memory figures, snapshots
  *   sweep_tiles.c   levels, the tile table, entries in a tile
  *   sweep_settle.c  brings tiles up to date with the boxes (migrate, sort) and chooses sizes
  *   sweep_pairs.c   finds the pairs that began to overlap: plans the searches, for one thread or several workers
  *   sweep_search.c  ... a single search (tile with itself, with another, one entry with all); sweep_pass.h
  *   sweep_lanes.h   ... its inner loop, for each vector width
  *   sweep_query.c   region and ray queries through the same tiles
- *   sweep_save.c    saves and loads the state through a snapshot
  *
  * Boxes are sorted by size into levels (S_l = S0 * 4^l: a box goes to the lowest level whose S_l exceeds its larger
  * side), and within a level by their lower corner into tiles 8 S_l wide and 2 S_l high:
@@ -79,21 +78,21 @@ typedef struct cni_sweep_level {
 typedef struct cni_sweep {
 	cni_broadphase_context context;
 	cni_array tiles;       /* cni_sweep_tile */
-	int32_t tile_free;     /* first free slot or CNI_NONE */
-	int32_t tile_count;
 	int32_t *slots;        /* open addressing, (level, tx, ty) -> tile + 1; 0 is empty */
 	int32_t slot_capacity; /* 0 or a power of two */
-	int32_t id_end;        /* all ids in use are below */
+	int32_t tile_count;
 	cni_array moved;       /* uint64_t, one bit per id */
 	cni_array loose;       /* uint64_t, one bit per id */
+	cni_blocks rows;       /* pool of the rows of all tiles, emptied when sizes change */
+
+	uint64_t rows_bytes;   /* ... in use; the members from here on are saved as one */
+	int32_t tile_free;     /* first free slot or CNI_NONE */
+	int32_t id_end;        /* all ids in use are below */
 	int32_t count;         /* proxies */
 	int32_t moved_count;
 	int32_t loose_count;
 	uint32_t level_mask;   /* levels that have tiles */
 	cni_sweep_level levels[CNI_SWEEP_LEVELS];
-	cni_blocks rows;       /* pool of the rows of all tiles, emptied when sizes change */
-	uint64_t rows_bytes;   /* ... in use */
-
 	int32_t exponent;      /* S0 = 2^exponent */
 	int32_t boost;         /* powers of two by which S0 exceeds the size of the boxes, so that tiles are well filled */
 	int32_t tuned_count;   /* proxies when sizes were last chosen, 0 for never */
@@ -163,6 +162,22 @@ static inline cni_sweep_rows cni_sweep_rows_of(const cni_sweep *sweep, const cni
 	return rows;
 }
 
+/* The box of an entry, from the rows of a tile or of its old boxes. */
+static inline cni_aabb cni_sweep_box_at(const float *x0, const float *y0, const float *x1, const float *y1, int32_t k)
+{
+	cni_aabb box = { x0[k], y0[k], x1[k], y1[k] };
+	return box;
+}
+
+static inline void cni_sweep_entry_set(const cni_sweep_rows *rows, int32_t k, int32_t id, const cni_aabb *box)
+{
+	rows->x0[k] = box->x0;
+	rows->x1[k] = box->x1;
+	rows->y0[k] = box->y0;
+	rows->y1[k] = box->y1;
+	rows->id[k] = id;
+}
+
 static inline cni_sweep_walk cni_sweep_walk_bits(const cni_sweep *sweep, const cni_array *bits)
 {
 	cni_sweep_walk walk;
@@ -224,8 +239,6 @@ void cni_sweep_tile_destroy(cni_sweep *sweep, int32_t tile);
 int32_t cni_sweep_slots_reserve(cni_sweep *sweep, int32_t count);
 /* Rebuilds that table from the tiles. */
 void cni_sweep_slots_fill(cni_sweep *sweep);
-/* Room for count entries; 0 when there is no memory. */
-int32_t cni_sweep_tile_reserve(cni_sweep *sweep, cni_sweep_tile *tile, int32_t count);
 /* Reduces the capacity of a tile that holds far fewer entries. */
 void cni_sweep_tile_shrink(cni_sweep *sweep, cni_sweep_tile *tile);
 /* Recomputes bounds and reach. Returns the largest extent of its entries, which the level must cover. */
@@ -307,9 +320,5 @@ static inline const cni_sweep *cni_sweep_of(const cni_broadphase *broadphase) { 
 
 void cni_sweep_query(const cni_broadphase *broadphase, const cni_aabb *box, cni_query_fn *visit, void *context);
 void cni_sweep_ray(const cni_broadphase *broadphase, cni_vec2 origin, cni_vec2 translation, cni_query_fn *visit, void *context);
-
-/* ---- snapshots ---- */
-
-void cni_sweep_snapshot(cni_broadphase *broadphase, cni_snapshot *s);
 
 #endif

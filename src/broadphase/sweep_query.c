@@ -150,7 +150,7 @@ static int32_t ray_visit(ray_pass *ray, int32_t id)
 
 /* A tile's rows, and the rows of the corners that are least and greatest along the normal. */
 typedef struct ray_lanes {
-	const float *x0, *x1, *y0, *y1;
+	cni_sweep_rows rows;
 	const float *least_x, *least_y, *most_x, *most_y;
 } ray_lanes;
 
@@ -158,10 +158,7 @@ static ray_lanes ray_lanes_of(const ray_pass *ray, const cni_sweep_rows *rows)
 {
 	int32_t right = ray->d.x >= 0.0f, up = ray->d.y >= 0.0f;
 	ray_lanes lanes;
-	lanes.x0 = rows->x0;
-	lanes.x1 = rows->x1;
-	lanes.y0 = rows->y0;
-	lanes.y1 = rows->y1;
+	lanes.rows = *rows;
 	lanes.least_x = up ? rows->x1 : rows->x0;
 	lanes.most_x = up ? rows->x0 : rows->x1;
 	lanes.least_y = right ? rows->y0 : rows->y1;
@@ -171,7 +168,8 @@ static ray_lanes ray_lanes_of(const ray_pass *ray, const cni_sweep_rows *rows)
 
 static inline int32_t ray_crosses_entry(const ray_pass *ray, const ray_lanes *lanes, int32_t k)
 {
-	if (!((lanes->x1[k] >= ray->box.x0) & (lanes->x0[k] <= ray->box.x1) & (lanes->y0[k] <= ray->box.y1) & (lanes->y1[k] >= ray->box.y0)))
+	const cni_sweep_rows *rows = &lanes->rows;
+	if (!((rows->x1[k] >= ray->box.x0) & (rows->x0[k] <= ray->box.x1) & (rows->y0[k] <= ray->box.y1) & (rows->y1[k] >= ray->box.y0)))
 		return 0;
 	return line_crosses(ray->d.x, ray->d.y, lanes->least_x[k] - ray->o.x, lanes->least_y[k] - ray->o.y, lanes->most_x[k] - ray->o.x,
 	                    lanes->most_y[k] - ray->o.y);

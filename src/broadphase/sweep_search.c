@@ -135,14 +135,8 @@ static cni_sweep_view view_of(const cni_sweep_pass *pass, const cni_sweep_tile *
 static inline cni_sweep_probe probe_of(const cni_sweep_view *v, int32_t i)
 {
 	cni_sweep_probe q;
-	q.now.x0 = v->x0[i];
-	q.now.x1 = v->x1[i];
-	q.now.y0 = v->y0[i];
-	q.now.y1 = v->y1[i];
-	q.old.x0 = v->px0[i];
-	q.old.x1 = v->px1[i];
-	q.old.y0 = v->py0[i];
-	q.old.y1 = v->py1[i];
+	q.now = cni_sweep_box_at(v->x0, v->y0, v->x1, v->y1, i);
+	q.old = cni_sweep_box_at(v->px0, v->py0, v->px1, v->py1, i);
 	q.id = v->id[i];
 	q.skip_moved = v->skip_moved;
 	return q;

@@ -385,12 +385,7 @@ static void gather_rows(const cni_sweep *sweep, const cni_sweep_tile *tile, cons
 	int32_t k;
 	for (k = 0; k < tile->count; ++k) {
 		int32_t id = (int32_t)(uint32_t)keys[k];
-		const cni_aabb *fat = &cni_sweep_proxy(sweep, id)->fat;
-		rows.x0[k] = fat->x0;
-		rows.x1[k] = fat->x1;
-		rows.y0[k] = fat->y0;
-		rows.y1[k] = fat->y1;
-		rows.id[k] = id;
+		cni_sweep_entry_set(&rows, k, id, &cni_sweep_proxy(sweep, id)->fat);
 	}
 }
 

@@ -253,9 +253,10 @@ static int32_t tile_resize(cni_sweep *sweep, cni_sweep_tile *tile, int32_t capac
 	return 1;
 }
 
-int32_t cni_sweep_tile_reserve(cni_sweep *sweep, cni_sweep_tile *tile, int32_t count)
+/* Room for one more entry; 0 when there is no memory. */
+static int32_t tile_reserve_one(cni_sweep *sweep, cni_sweep_tile *tile)
 {
-	return count <= tile->capacity || tile_resize(sweep, tile, capacity_for(count));
+	return tile->count < tile->capacity || tile_resize(sweep, tile, capacity_for(tile->count + 1));
 }
 
 void cni_sweep_tile_shrink(cni_sweep *sweep, cni_sweep_tile *tile)
@@ -350,15 +351,6 @@ int32_t cni_sweep_entry_find(const cni_sweep *sweep, const cni_sweep_tile *tile,
 	return CNI_NONE;
 }
 
-static inline void entry_set(const cni_sweep_rows *rows, int32_t k, int32_t id, const cni_aabb *box)
-{
-	rows->x0[k] = box->x0;
-	rows->x1[k] = box->x1;
-	rows->y0[k] = box->y0;
-	rows->y1[k] = box->y1;
-	rows->id[k] = id;
-}
-
 /* Moves count entries. */
 static void entries_move(const cni_sweep_rows *rows, int32_t to, int32_t from, int32_t count)
 {
@@ -374,12 +366,12 @@ int32_t cni_sweep_entry_insert(cni_sweep *sweep, cni_sweep_tile *tile, int32_t i
 {
 	cni_sweep_rows rows;
 	int32_t k;
-	if (!cni_sweep_tile_reserve(sweep, tile, tile->count + 1))
+	if (!tile_reserve_one(sweep, tile))
 		return 0;
 	rows = cni_sweep_rows_of(sweep, tile);
 	k = cni_sweep_entry_bound(&rows, tile->count, box->x0, id);
 	entries_move(&rows, k + 1, k, tile->count - k);
-	entry_set(&rows, k, id, box);
+	cni_sweep_entry_set(&rows, k, id, box);
 	++tile->count;
 	++sweep->levels[tile->level].entries;
 	tile_cover(sweep, tile, box);
@@ -389,7 +381,7 @@ int32_t cni_sweep_entry_insert(cni_sweep *sweep, cni_sweep_tile *tile, int32_t i
 
 int32_t cni_sweep_entry_append(cni_sweep *sweep, cni_sweep_tile *tile, int32_t id)
 {
-	if (!cni_sweep_tile_reserve(sweep, tile, tile->count + 1))
+	if (!tile_reserve_one(sweep, tile))
 		return 0;
 	cni_sweep_rows_of(sweep, tile).id[tile->count++] = id;
 	++sweep->levels[tile->level].entries;
@@ -419,7 +411,7 @@ void cni_sweep_entry_shift(cni_sweep *sweep, cni_sweep_tile *tile, int32_t entry
 		++k;
 	if (k > entry)
 		entries_move(&rows, entry, entry + 1, k - entry);
-	entry_set(&rows, k, id, box);
+	cni_sweep_entry_set(&rows, k, id, box);
 	tile_cover(sweep, tile, box);
 	tile_changed(sweep, tile);
 }

@@ -46,23 +46,15 @@ uint64_t cni_tree_bytes(const cni_tree *tree)
 	return (uint64_t)tree->nodes.capacity * sizeof(cni_tree_node) + (uint64_t)tree->places.capacity * sizeof(int32_t);
 }
 
-static cni_aabb no_box(void)
-{
-	cni_aabb box;
-	box.x0 = box.y0 = INFINITY;
-	box.x1 = box.y1 = -INFINITY;
-	return box;
-}
-
 /* An invalid box, such as NaN from a body that diverged, overlaps nothing and must not spoil the boxes above it. */
 static cni_aabb box_or_none(const cni_aabb *box)
 {
-	return box->x0 <= box->x1 && box->y0 <= box->y1 ? *box : no_box();
+	return box->x0 <= box->x1 && box->y0 <= box->y1 ? *box : cni_no_box();
 }
 
 static void place_clear(cni_tree_node *node, int32_t side)
 {
-	node->box[side] = no_box();
+	node->box[side] = cni_no_box();
 	node->child[side] = CNI_TREE_EMPTY;
 	node->height[side] = 0;
 	node->marks[side] = 0;
@@ -102,7 +94,8 @@ void cni_tree_node_clear(cni_tree *tree, int32_t node)
 	place_clear(cni_tree_node_at(tree, node), 1);
 }
 
-void cni_tree_node_give(cni_tree *tree, int32_t node)
+/* Returns a node to the free list. */
+static void node_give(cni_tree *tree, int32_t node)
 {
 	cni_tree_node_clear(tree, node);
 	cni_tree_node_at(tree, node)->parent = tree->node_free;
@@ -341,7 +334,7 @@ void cni_tree_remove(cni_tree *tree, int32_t item)
 	}
 	above = cni_tree_node_at(tree, node)->parent;
 	place_copy(tree, above, place ^ 1);
-	cni_tree_node_give(tree, node);
+	node_give(tree, node);
 	cni_tree_repair(tree, above >> 1);
 }
 

@@ -30,7 +30,7 @@
 #define CNI_BROADPHASE_TREE_H
 
 #include "base/maths.h"
-#include "base/snapshot.h"
+#include "base/table.h"
 
 #define CNI_TREE_ROOT 0          /* place */
 #define CNI_TREE_EMPTY INT32_MIN /* child of a place where nothing hangs */
@@ -55,7 +55,7 @@ typedef struct cni_tree_node {
 typedef struct cni_tree {
 	cni_array nodes;    /* cni_tree_node; count: ever used */
 	cni_array places;   /* int32_t by item, CNI_NONE when the item is not in the tree */
-	int32_t node_free;  /* first of the free nodes, or CNI_NONE */
+	int32_t node_free;  /* first of the free nodes, or CNI_NONE; the members from here on are saved as one */
 	int32_t count;      /* items */
 	int32_t stale;      /* items with STALE */
 	uint32_t random;    /* state of a linear congruential generator */
@@ -100,9 +100,6 @@ int32_t cni_tree_wants_scratch(const cni_tree *tree);
 void cni_tree_rebuild(cni_tree *tree, void *scratch);
 /* Sum of the nodes' perimeters over the sum of the items' perimeters, a measure of the cost of searches. O(n). */
 float cni_tree_cost(const cni_tree *tree);
-
-/* Passes the whole tree through a snapshot. */
-void cni_tree_snapshot(cni_tree *tree, cni_snapshot *s);
 
 /* ---- searches */
 

@@ -35,8 +35,6 @@ void cni_tree_attach(cni_tree *tree, int32_t place, int32_t child);
 int32_t cni_tree_node_take(cni_tree *tree);
 /* Empties both sides. */
 void cni_tree_node_clear(cni_tree *tree, int32_t node);
-/* Returns a node to the free list. */
-void cni_tree_node_give(cni_tree *tree, int32_t node);
 /* Recomputes box, height and marks of the place that holds the node; 1 when any of them changed. */
 int32_t cni_tree_refresh(cni_tree *tree, int32_t node);
 /* As cni_tree_insert, with MOVED or RESTS. */

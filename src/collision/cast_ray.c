@@ -66,8 +66,7 @@ static outline outline_nearest(const cni_cast_hull *hull, cni_vec2 origin)
 	best.distance_sq = cni_distance_sq(origin, hull->points[0]);
 	for (int32_t i = 0; i < hull->count && hull->count > 1; ++i) {
 		cni_vec2 a = hull->points[i], edge = cni_sub(hull->points[next_of(hull, i)], a);
-		float length_sq = cni_length_sq(edge);
-		float t = length_sq > 0.0f ? cni_clamp(cni_dot(cni_sub(origin, a), edge) / length_sq, 0.0f, 1.0f) : 0.0f;
+		float t = cni_segment_fraction(origin, a, edge);
 		cni_vec2 point = cni_madd(a, t, edge);
 		float distance_sq = cni_distance_sq(origin, point);
 		if (distance_sq >= best.distance_sq)

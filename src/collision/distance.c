@@ -213,15 +213,6 @@ cni_distance_result cni_distance(cni_proxy_points a, cni_proxy_points b, cni_tra
 	return out;
 }
 
-static float fraction_nearest(cni_vec2 point, cni_vec2 start, cni_vec2 end)
-{
-	cni_vec2 edge = cni_sub(end, start);
-	float length_sq = cni_length_sq(edge);
-	if (!(length_sq > 0.0f))
-		return 0.0f;
-	return cni_clamp(cni_dot(cni_sub(point, start), edge) / length_sq, 0.0f, 1.0f);
-}
-
 static void segments_try(cni_segment_distance *best, cni_vec2 a, cni_vec2 b, float fraction_a, float fraction_b)
 {
 	float distance_sq = cni_distance_sq(a, b);
@@ -258,15 +249,16 @@ static int32_t segments_cross(cni_vec2 p1, cni_vec2 q1, cni_vec2 p2, cni_vec2 q2
 cni_segment_distance cni_segment_to_segment(cni_vec2 p1, cni_vec2 q1, cni_vec2 p2, cni_vec2 q2)
 {
 	cni_segment_distance best = { { 0.0f, 0.0f }, { 0.0f, 0.0f }, 0.0f, 0.0f, FLT_MAX };
+	cni_vec2 e1 = cni_sub(q1, p1), e2 = cni_sub(q2, p2);
 	if (segments_cross(p1, q1, p2, q2, &best))
 		return best;
-	float f = fraction_nearest(p1, p2, q2);
+	float f = cni_segment_fraction(p1, p2, e2);
 	segments_try(&best, p1, cni_lerp(p2, q2, f), 0.0f, f);
-	f = fraction_nearest(q1, p2, q2);
+	f = cni_segment_fraction(q1, p2, e2);
 	segments_try(&best, q1, cni_lerp(p2, q2, f), 1.0f, f);
-	f = fraction_nearest(p2, p1, q1);
+	f = cni_segment_fraction(p2, p1, e1);
 	segments_try(&best, cni_lerp(p1, q1, f), p2, f, 0.0f);
-	f = fraction_nearest(q2, p1, q1);
+	f = cni_segment_fraction(q2, p1, e1);
 	segments_try(&best, cni_lerp(p1, q1, f), q2, f, 1.0f);
 	return best;
 }

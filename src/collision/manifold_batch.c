@@ -4,6 +4,8 @@
 #include "collision/manifold_batch.h"
 #include "base/cpu.h"
 
+#include <string.h>
+
 /* Columns that a kernel may work out beyond the last pair. */
 #define WIDTH_MAX (CNI_BATCH_PAIRS < 8 ? CNI_BATCH_PAIRS : 8)
 
@@ -56,25 +58,18 @@ int32_t cni_batch_add(cni_manifold_batch *batch, const cni_manifold_input *in, c
 	return k;
 }
 
+/* Rows of numbers that a kernel reads, from qc to count_b. */
+#define INPUT_ROWS (offsetof(cni_manifold_batch, a) / (CNI_BATCH_PAIRS * sizeof(float)))
+
 /* Copies the last column to fill the kernel's width. */
 static void pad(cni_manifold_batch *batch)
 {
 	int32_t last = batch->count - 1, k;
+	float *rows = (float *)(void *)batch;
+	size_t row;
 	for (k = batch->count; k % WIDTH_MAX != 0; ++k) {
-		batch->qc[k] = batch->qc[last];
-		batch->qs[k] = batch->qs[last];
-		batch->tx[k] = batch->tx[last];
-		batch->ty[k] = batch->ty[last];
-		batch->radius_a[k] = batch->radius_a[last];
-		batch->radius_b[k] = batch->radius_b[last];
-		batch->margin[k] = batch->margin[last];
-		batch->axis_nx[k] = batch->axis_nx[last];
-		batch->axis_ny[k] = batch->axis_ny[last];
-		batch->axis_px[k] = batch->axis_px[last];
-		batch->axis_py[k] = batch->axis_py[last];
-		batch->axis[k] = batch->axis[last];
-		batch->count_a[k] = batch->count_a[last];
-		batch->count_b[k] = batch->count_b[last];
+		for (row = 0; row < INPUT_ROWS; ++row)
+			memcpy(rows + row * CNI_BATCH_PAIRS + k, rows + row * CNI_BATCH_PAIRS + last, sizeof *rows);
 		batch->a[k] = batch->a[last];
 		batch->b[k] = batch->b[last];
 	}

@@ -2,15 +2,15 @@
  * collision/manifold_batch.h - collides many pairs of polygons, capsules and edges at once.
  *
  * Nearly all such pairs take one of two code paths through manifold_faces.c: face on face or corner near corner. So pairs are
- * collected in a batch, and a kernel computes several of them side by side with the same bits as cni_faces_collide. It leaves
- * pairs on other code paths to cni_faces_collide. States:
+ * collected in a batch, and a kernel computes several of them side by side with the same bits as cni_collide_polygons. It leaves
+ * pairs on other code paths to cni_collide_polygons. States:
  *
  *   apart          no point within the margin
  *   point          two corners: one point, if it is within the margin
  *   points         clipped faces: two points, of which those within the margin count
  *   fallback       not computed: edges that hardly overlap, closest features that are not at the two faces
  *
- * Without vectors there is no kernel, and cni_faces_collide computes every pair.
+ * Without vectors there is no kernel, and cni_collide_polygons computes every pair.
  */
 #ifndef CNI_COLLISION_MANIFOLD_BATCH_H
 #define CNI_COLLISION_MANIFOLD_BATCH_H

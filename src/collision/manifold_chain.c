@@ -91,19 +91,6 @@ static int32_t corner_owns(const cni_chain_edge *e, int32_t end, cni_vec2 outwar
 	return cni_dot(outward, e->normal) >= cni_dot(outward, e->neighbour_normal[end]) - SHARED_COSINE;
 }
 
-static void circle_emit(const cni_manifold_input *in, cni_vec2 outward, float distance, int32_t feature, cni_manifold *out)
-{
-	float radius = in->a->radius;
-	float separation = distance - radius;
-	if (separation > in->margin)
-		return;
-	out->count = 1;
-	out->normal = cni_neg(outward);
-	out->points[0].point = cni_madd(cni_geometry_points(in->a)[0], radius + 0.5f * separation, out->normal);
-	out->points[0].separation = separation;
-	out->points[0].id = cni_manifold_id(0, feature);
-}
-
 void cni_collide_circle_chain(const cni_manifold_input *in, cni_manifold_cache *cache, cni_manifold *out)
 {
 	(void)cache;
@@ -120,7 +107,7 @@ void cni_collide_circle_chain(const cni_manifold_input *in, cni_manifold_cache *
 	float at = cni_dot(along, offset);
 	float length = cni_dot(along, cni_sub(e.points[1], e.points[0]));
 	if (at >= 0.0f && at <= length) {
-		circle_emit(in, e.normal, height, CNI_FEATURE_EDGE, out);
+		cni_circle_manifold(in, e.normal, height - in->a->radius, CNI_FEATURE_EDGE, out);
 		return;
 	}
 	int32_t end = at > 0.0f;
@@ -132,12 +119,12 @@ void cni_collide_circle_chain(const cni_manifold_input *in, cni_manifold_cache *
 	chain_corner(&e, in, end);
 	/* Flat corners overlap a little, so that rounding opens no gap between two edges. */
 	if (e.corner[end] == CNI_CORNER_FLAT && almost_on) {
-		circle_emit(in, e.normal, height, CNI_FEATURE_EDGE, out);
+		cni_circle_manifold(in, e.normal, height - in->a->radius, CNI_FEATURE_EDGE, out);
 		return;
 	}
 	cni_vec2 outward = distance > 0.0f ? cni_normalize(d) : e.normal;
 	if (corner_owns(&e, end, outward, d))
-		circle_emit(in, outward, distance, end, out);
+		cni_circle_manifold(in, outward, distance - in->a->radius, end, out);
 }
 
 /* ------------------------------------------------------------------ shapes with faces */

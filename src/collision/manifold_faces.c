@@ -13,15 +13,19 @@
  *                     ------|--------------|------
  *        reference edge     start   n^     end      t = left_perp(n)
  *
+ * The Minkowski difference of two crossing segments is a parallelogram whose sides are their faces, so the kernel is exact for
+ * capsules and edges as well.
+ *
  * Invariant: a manifold's points are ordered along left_perp of its normal, whichever shape was the
  * reference, and an id names the same two features either way.
  */
 #include "collision/manifold_faces.h"
+#include "collision/manifold_table.h"
 #include "collision/distance.h"
 
 static const cni_transform same_frame = { { 1.0f, 0.0f }, { 0.0f, 0.0f } };
 
-cni_faces cni_faces_moved(cni_faces f, cni_transform transform, cni_faces_storage *storage)
+static cni_faces faces_moved(cni_faces f, cni_transform transform, cni_faces_storage *storage)
 {
 	for (int32_t i = 0; i < f.count; ++i) {
 		storage->points[i] = cni_transform_point(transform, f.points[i]);
@@ -66,7 +70,8 @@ static float boxes_best(const cni_faces *reference, const cni_faces *other, int3
 	return cni_max(best23, best01);
 }
 
-float cni_faces_best(const cni_faces *reference, const cni_faces *other, int32_t *out_edge)
+/* The face of reference with the greatest separation from other; returns the separation. */
+static float faces_best(const cni_faces *reference, const cni_faces *other, int32_t *out_edge)
 {
 	if (reference->count == 4 && other->count == 4)
 		return boxes_best(reference, other, out_edge);
@@ -412,9 +417,9 @@ static cni_axis axis_choose(const cni_faces *a, const cni_faces *b, int32_t cach
 {
 	cni_axis best, of_b;
 	best.of_b = 0;
-	best.separation = cni_faces_best(a, b, &best.edge);
+	best.separation = faces_best(a, b, &best.edge);
 	of_b.of_b = 1;
-	of_b.separation = cni_faces_best(b, a, &of_b.edge);
+	of_b.separation = faces_best(b, a, &of_b.edge);
 	if (of_b.separation > best.separation + touch)
 		best = of_b;
 	if (cached_at >= cni_max(best.separation, of_b.separation) - touch) {
@@ -425,19 +430,20 @@ static cni_axis axis_choose(const cni_faces *a, const cni_faces *b, int32_t cach
 	return best;
 }
 
-void cni_faces_collide(const cni_faces *a, const cni_faces *b_local, const cni_manifold_input *in, cni_manifold_cache *cache, cni_manifold *out)
+void cni_collide_polygons(const cni_manifold_input *in, cni_manifold_cache *cache, cni_manifold *out)
 {
-	float reach = in->margin + a->radius + b_local->radius;
+	cni_faces a = cni_faces_of(in->a), b_local = cni_faces_of(in->b);
+	float reach = in->margin + a.radius + b_local.radius;
 	int32_t cached = cache->axis;
-	float cached_at = cached_separation(a, b_local, in->b_in_a, cached);
+	float cached_at = cached_separation(&a, &b_local, in->b_in_a, cached);
 	out->count = 0;
 	if (cached_at > reach)
 		return;
 	cni_faces_storage storage;
-	cni_faces b = cni_faces_moved(*b_local, in->b_in_a, &storage);
-	cni_axis axis = axis_choose(a, &b, cached, cached_at, CNI_TOUCH_PER_SLOP * in->slop);
+	cni_faces b = faces_moved(b_local, in->b_in_a, &storage);
+	cni_axis axis = axis_choose(&a, &b, cached, cached_at, CNI_TOUCH_PER_SLOP * in->slop);
 	cache->axis = (uint8_t)(axis.edge + 1 + (axis.of_b ? CN_POLYGON_MAX_VERTICES : 0));
 	if (axis.separation > reach)
 		return;
-	cni_faces_manifold(a, &b, axis, NULL, in, out);
+	cni_faces_manifold(&a, &b, axis, NULL, in, out);
 }

@@ -65,16 +65,12 @@ static inline cni_faces cni_faces_of(const cni_geometry *g)
 	cni_faces f = { cni_geometry_points(g), cni_geometry_normals(g), g->count, g->radius };
 	return f;
 }
-cni_faces cni_faces_moved(cni_faces f, cni_transform transform, cni_faces_storage *storage);
-
-/* The face of reference with the greatest separation from other; returns the separation. */
-float cni_faces_best(const cni_faces *reference, const cni_faces *other, int32_t *out_edge);
 
 /* The manifold along an axis, both skeletons in a's frame. chain: NULL, or b's chain edge (face 0 of b is its front). */
 void cni_faces_manifold(const cni_faces *a, const cni_faces *b, cni_axis axis, const cni_chain_edge *chain,
 	const cni_manifold_input *in, cni_manifold *out);
 
-/* The manifold of any two skeletons with faces, using and updating the cached axis. */
-void cni_faces_collide(const cni_faces *a, const cni_faces *b_local, const cni_manifold_input *in, cni_manifold_cache *cache, cni_manifold *out);
+/* The manifold of a circle, shape a, along a direction in a's frame out of the other shape. */
+void cni_circle_manifold(const cni_manifold_input *in, cni_vec2 outward, float separation, int32_t feature, cni_manifold *out);
 
 #endif

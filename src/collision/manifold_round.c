@@ -16,18 +16,20 @@ typedef struct nearest {
 	int32_t feature;
 } nearest;
 
-static void nearest_emit(const nearest *near, const cni_manifold_input *in, cni_manifold *out)
+void cni_circle_manifold(const cni_manifold_input *in, cni_vec2 outward, float separation, int32_t feature, cni_manifold *out)
 {
-	float radius = in->a->radius;
-	float separation = near->distance - radius - in->b->radius;
-	out->count = 0;
+	out->count = separation <= in->margin;
 	if (separation > in->margin)
 		return;
-	out->count = 1;
-	out->normal = cni_neg(cni_rotate(in->b_in_a.q, near->normal));
-	out->points[0].point = cni_madd(cni_geometry_points(in->a)[0], radius + 0.5f * separation, out->normal);
+	out->normal = cni_neg(outward);
+	out->points[0].point = cni_madd(cni_geometry_points(in->a)[0], in->a->radius + 0.5f * separation, out->normal);
 	out->points[0].separation = separation;
-	out->points[0].id = cni_manifold_id(0, near->feature);
+	out->points[0].id = cni_manifold_id(0, feature);
+}
+
+static void nearest_emit(const nearest *near, const cni_manifold_input *in, cni_manifold *out)
+{
+	cni_circle_manifold(in, cni_rotate(in->b_in_a.q, near->normal), near->distance - in->a->radius - in->b->radius, near->feature, out);
 }
 
 static nearest nearest_to_point(cni_vec2 center, cni_vec2 point, cni_vec2 fallback, int32_t feature)

@@ -10,7 +10,7 @@
 cni_manifold_fn cni_collide_circles;
 cni_manifold_fn cni_collide_circle_segment; /* capsules, edges */
 cni_manifold_fn cni_collide_circle_polygon;
-/* manifold_polygon.c: polygons, capsules, edges */
+/* manifold_faces.c: polygons, capsules, edges */
 cni_manifold_fn cni_collide_polygons;
 /* manifold_chain.c */
 cni_manifold_fn cni_collide_circle_chain;

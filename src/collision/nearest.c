@@ -8,9 +8,7 @@
 static cni_vec2 on_segment(cni_vec2 point, cni_vec2 a, cni_vec2 b)
 {
 	cni_vec2 edge = cni_sub(b, a);
-	float length_sq = cni_length_sq(edge);
-	float t = length_sq > 0.0f ? cni_clamp(cni_dot(cni_sub(point, a), edge) / length_sq, 0.0f, 1.0f) : 0.0f;
-	return cni_madd(a, t, edge);
+	return cni_madd(a, cni_segment_fraction(point, a, edge), edge);
 }
 
 static cni_nearest nearest_make(cni_vec2 on_skeleton, cni_vec2 normal, float height, float radius)

@@ -128,10 +128,10 @@ typedef struct found_lanes {
 	int32_t from[CNI_LANES];
 } found_lanes;
 
-/* Adds an impact to the sums of a contact that reports its impulse. */
+/* Adds an impact to the sums of a contact that reports its impulse: of a block without sums, one that began to touch and has no anchor. */
 static void impact_add(cn_world *world, const cni_listed_block *b, int32_t lane, const cni_impact_record *record, int32_t l)
 {
-	if (CNI_HAS_EVENTS && record->jn[l] != 0.0f)
+	if (CNI_HAS_EVENTS && record->jn[l] != 0.0f && (world->sums != NULL || !(b->info->anchored >> lane & 1u)))
 		cni_impulse_sums_strike(world, b->info->contact[lane], record->jn[l], record->jt[l], record->closing[0][l], record->closing[1][l]);
 }
 

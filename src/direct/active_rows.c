@@ -70,7 +70,6 @@ int32_t cni_active_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse
 		int32_t row = w == NULL || n->rows == CNI_NODE_ROWS ? 0 : row_choose(w, cni_motions(world), s->dt);
 		if (row == 0)
 			continue;
-		cni_joint_constraint_narrow(world, s, n->owner);
 		w->active_row = row;
 		n->active = state_begin(&w->rows[row], s);
 		found = cni_max_i(found, w->rows[row].kind == CNI_ROW_MOTOR ? 2 : 1);

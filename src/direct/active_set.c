@@ -86,3 +86,13 @@ void cni_component_solve(cn_world *world, const cni_solve *s, cni_component *c)
 	if (!(c->active ? cni_active_solve(world, s, s->direct, c) : cni_direct_apply(world, s->direct, c)))
 		cni_component_suspend(world, s->direct, c, 0);
 }
+
+int32_t cni_component_lock(cn_world *world, const cni_solve *s, cni_component *c, float turn)
+{
+	if (c->has_contacts || c->done || c->active || !cni_geometric_stiffness_lock(world, s->direct, c, turn * s->inv_h))
+		return 0;
+	cni_sparse_factor(s->direct, c, cni_motions(world));
+	cni_direct_right_sides(world, s, c, 1);
+	cni_component_solve(world, s, c);
+	return 1;
+}

@@ -3,11 +3,11 @@
  *
  * Many scenes have hundreds of small mechanisms of a few kinds: ragdolls, pieces of chain. Solving one is a long sequence of small
  * dependent sums through lists of indices. Sixteen trees of a class share the lists (linear/topology_class.c), and each sum becomes a
- * vector sum. A tree of a batch has the bits of a tree solved alone, whose rows are those of direct/direct_joints.c and whose lanes are
- * among others' in joints/joint_blocks.c.
+ * vector sum. A tree has the same bits in any batch, also in one of its own. Which trees are in batches depends on their number alone and
+ * not on the memory that a world has.
  *
  * A batch takes all of a tree's joints, which are lane joints with two rows: no dampers, no loops, no contacts in the system, and no
- * RATTLE. Trees of a class that remain after full batches form one more batch.
+ * RATTLE. Trees of a class that remain after full batches form one more batch. The joints of other components have rows.
  *
  * Reads joint constraints, records, motion, the plan; writes batches, blocks of lanes, flags of joint constraints.
  */
@@ -16,8 +16,6 @@
 #include "model/tuning.h"
 
 #include <string.h>
-
-#define LANES_LEAST 2 /* fewer are left alone */
 
 /* ---- which components ---- */
 
@@ -43,7 +41,7 @@ int32_t cni_component_is_batched(const cn_world *world, const cni_solve *s, cni_
 		return 0;
 	for (k = c->begin; k < c->end; ++k) {
 		const cni_joint_constraint *w = &cni_joint_constraints(world)[sparse->nodes[k].owner];
-		if (!(w->flags & CNI_CONSTRAINT_WIDE) || motor_is_strong(world, s, w) || turns_fast(world, s, w) || !cni_joint_fits_lane(world, s, w))
+		if (w->form != CNI_FORM_PIN || motor_is_strong(world, s, w) || turns_fast(world, s, w) || !cni_joint_fits_lane(world, s, w))
 			return 0;
 	}
 	cni_geometric_stiffness_find_pins(world, sparse, c, s->h);
@@ -59,6 +57,7 @@ typedef struct batch_builder {
 	cni_lane_spring spring;
 	int32_t waiting[CNI_TOPOLOGY_CLASSES];    /* components of the class that are to be in batches */
 	int32_t example[CNI_TOPOLOGY_CLASSES];    /* one of them */
+	int32_t others;                           /* joints that are in none of them */
 	cni_tree_batch *open[CNI_TOPOLOGY_CLASSES];     /* the class's batch that is being filled */
 	float *numbers;                /* memory for the factors of batches to come */
 } batch_builder;
@@ -84,45 +83,37 @@ static void waiting_count(batch_builder *m)
 {
 	int32_t k;
 	memset(m->waiting, 0, sizeof m->waiting);
+	m->others = m->world->awake_joints.count;
 	for (k = 0; k < m->sparse->component_count; ++k)
 		if (m->sparse->components[k].batches) {
 			++m->waiting[m->sparse->components[k].kind];
 			m->example[m->sparse->components[k].kind] = k;
+			m->others -= nodes_of(&m->sparse->components[k]);
 		}
 }
 
-/* 1: there is room for this number of blocks. A world in a caller's block has as many as all its joints would take in lanes. */
-static int32_t blocks_fit(cn_world *world, int32_t blocks)
-{
-	if (world->memory.fixed)
-		return blocks <= cni_joint_blocks_for(world->awake_joints.count);
-	return cni_array_reserve(&world->joint_blocks, &world->memory, blocks);
-}
-
-/* Number of batches of a class. Trees beyond full batches make one more if there are enough of them, and if its blocks leave room for the
-   joints outside of batches. */
-static int32_t batches_count(batch_builder *m, int32_t class_index, int32_t *blocks, int32_t *joints)
+/* Number of batches of a class. Trees beyond full batches make one more if its blocks and those of the joints outside of
+   batches are no more than all joints would take in lanes. */
+static int32_t batches_count(batch_builder *m, int32_t class_index, int32_t *blocks)
 {
 	int32_t nodes = nodes_of(&m->sparse->components[m->example[class_index]]);
 	int32_t full = m->waiting[class_index] / CNI_LANES, rest = m->waiting[class_index] % CNI_LANES;
 	*blocks += full * nodes;
-	*joints -= full * nodes * CNI_LANES;
-	if (rest < LANES_LEAST || !blocks_fit(m->world, *blocks + nodes + cni_joint_blocks_for(*joints - rest * nodes))) {
+	if (rest == 0 || *blocks + nodes + cni_joint_blocks_for(m->others) > cni_joint_blocks_for(m->world->awake_joints.count)) {
 		m->waiting[class_index] -= rest;
 		return full;
 	}
 	*blocks += nodes;
-	*joints -= rest * nodes;
 	return full + 1;
 }
 
 /* Reserves the memory of all batches and selects their components. 0: there are none. */
 static int32_t batches_reserve(batch_builder *m)
 {
-	int32_t class_index, batches = 0, numbers = 0, blocks = 0, joints = m->world->awake_joints.count;
+	int32_t class_index, batches = 0, numbers = 0, blocks = 0;
 	for (class_index = 0; class_index < CNI_TOPOLOGY_CLASSES; ++class_index)
 		if (m->waiting[class_index] > 0) {
-			int32_t count = batches_count(m, class_index, &blocks, &joints);
+			int32_t count = batches_count(m, class_index, &blocks);
 			batches += count;
 			numbers += count * numbers_of(&m->sparse->components[m->example[class_index]]);
 		}
@@ -159,7 +150,7 @@ static void blocks_take(cn_world *world, cni_tree_batch *batch)
 {
 	int32_t k, first = world->joint_blocks.count;
 	for (k = 0; k < batch->tree.nodes; ++k)
-		cni_joint_blocks(world)[cni_joint_block_take(world)].batch = 1;
+		(void)cni_joint_block_take(world);
 	batch->nodes = cni_joint_blocks(world) + first;
 }
 
@@ -193,6 +184,7 @@ static void lane_fill(batch_builder *m, const cni_component *c, cni_tree_batch *
 		int32_t owner = m->sparse->nodes[c->begin + k].owner;
 		cni_joint_constraints(m->world)[owner].flags |= CNI_CONSTRAINT_BATCHED;
 		cni_joint_lane_fill(m->world, m->s, &m->spring, owner, &batch->nodes[k], l);
+		batch->nodes[k].direct |= 1u << l;
 	}
 }
 
@@ -259,7 +251,7 @@ static void batches_run(cn_world *world, const cni_solve *s, cni_tree_batch_kern
 
 void cni_tree_batches_make(cn_world *world, const cni_solve *s, cni_sparse *sparse)
 {
-	batch_builder m = { world, s, sparse, { 0.0f, 0.0f, { 0.0f, 0.0f, 1.0f } }, { 0 }, { 0 }, { NULL }, NULL };
+	batch_builder m = { world, s, sparse, { 0.0f, 0.0f, { 0.0f, 0.0f, 1.0f } }, { 0 }, { 0 }, 0, { NULL }, NULL };
 	int32_t k, far = cni_joints_are_far(world);
 	waiting_count(&m);
 	if (!batches_reserve(&m))
@@ -291,4 +283,34 @@ void cni_tree_batches_relax(cn_world *world, const cni_solve *s)
 void cni_tree_batches_project(cn_world *world, const cni_solve *s)
 {
 	batches_run(world, s, kernel_choose()->project);
+}
+
+/* ---- a lane as a component of its own ---- */
+
+void cni_tree_lane_read(const cni_solve *s, cni_component *c)
+{
+	const cni_joint_block *block = s->direct->batches[c->batch].nodes;
+	float rate = CNI_JOINT_ERROR_RATE * s->inv_h;
+	int32_t k, l = c->lane;
+	cni_sparse_clear(s->direct, c);
+	c->active = c->damps = 0;
+	c->width = 2;
+	for (k = c->begin; k < c->end; ++k, ++block) {
+		cni_node *n = &s->direct->nodes[k];
+		const cni_lever x = { -1.0f, 0.0f, block->ay[l], 1.0f, 0.0f, -block->by[l] }, y = { 0.0f, -1.0f, -block->ax[l], 0.0f, 1.0f, block->bx[l] };
+		cni_levers_set(&n->levers, 0, x);
+		cni_levers_set(&n->levers, 1, y);
+		n->closing[0] = cni_clamp(rate * block->ex[l], -s->push_speed, s->push_speed);
+		n->closing[1] = cni_clamp(rate * block->ey[l], -s->push_speed, s->push_speed);
+	}
+}
+
+void cni_tree_lane_add(const cni_solve *s, const cni_component *c)
+{
+	cni_joint_block *block = s->direct->batches[c->batch].nodes;
+	int32_t k;
+	for (k = c->begin; k < c->end; ++k, ++block) {
+		block->jx[c->lane] += s->direct->nodes[k].x[0];
+		block->jy[c->lane] += s->direct->nodes[k].x[1];
+	}
 }

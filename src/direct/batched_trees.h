@@ -3,7 +3,7 @@
  *
  * A batch has a tree in each of its lanes, all of one topology class (linear/topology_class.c). Node k of all of them is one block of lanes
  * (joints/joint_pass.h), the batch's k-th, so a pass runs over blocks: springs, motors and limits colour by colour, then the pins of
- * every tree as one system (linear/sparse.h), with the bits of solving trees one by one.
+ * every tree as one system (linear/sparse.h).
  *
  *   nodes     [ block of node 0 | block of node 1 | ... ]      in the order of elimination
  *   pivots    3 rows of lanes a node: 00, 01, 11 of the inverse

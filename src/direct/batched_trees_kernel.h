@@ -330,8 +330,7 @@ static void batch_warm(cni_motion *motions, cni_velocity_start *starts, cni_tree
 			int32_t node = batch->order[n];
 			cni_joint_block *k = &batch->nodes[node];
 			arms r = arms_load(k, l);
-			cni_wide jx = impulse_warm(k->jx + l, scale), jy = impulse_warm(k->jy + l, scale), t;
-			t = impulse_warm(k->spring_j + l, scale) + impulse_warm(k->motor_j + l, scale) + impulse_warm(k->limit_j + l, scale);
+			cni_wide jx = impulse_warm(k->jx + l, scale), jy = impulse_warm(k->jy + l, scale), t = measure_warm(k, l, scale);
 			push(&f.body[batch->tree.end[node][0]], &f.body[batch->tree.end[node][1]], &r, jx, jy, t);
 		}
 		tree_bodies_scatter(motions, batch, l, &f);
@@ -345,29 +344,15 @@ CNI_INLINE int32_t has_single(const cni_tree_batch *batch, int32_t l)
 	return (batch->nodes[0].direct >> l & lanes) != lanes;
 }
 
-/* The part of solve_group for joints with motors only. */
-CNI_INLINE void solve_motors(cni_joint_block *k, int32_t l, side *a, side *b, const arms *r, const cni_joint_pass *pass, int32_t bias, pair *induced)
-{
-	const cni_wide zero = cni_wide_of(0.0f);
-	pin p = pin_make(a, b, r);
-	hinge g = hinge_make(a, b, r, &p);
-	solve_motor(k, l, &g, pass, bias);
-	induced->x = zero + g.sx * g.t;
-	induced->y = zero + g.sy * g.t;
-	push(a, b, r, induced->x, induced->y, g.t);
-}
-
 /* Springs, motors, limits, and pins that are solved one by one. */
 CNI_INLINE void node_solve(cni_tree_batch *batch, int32_t node, int32_t l, tree_bodies *f, const arms *r, const cni_joint_pass *pass, int32_t bias, int32_t single, pair *induced)
 {
 	cni_joint_block *k = &batch->nodes[node];
 	side *a = &f->body[batch->tree.end[node][0]], *b = &f->body[batch->tree.end[node][1]];
 	if (single)
-		solve_group(k, l, a, b, r, pass, bias, 1, 1, &induced->x, &induced->y);
-	else if (k->angular == CN_JOINT_MOTOR)
-		solve_motors(k, l, a, b, r, pass, bias, induced);
-	else if (k->angular)
-		solve_group(k, l, a, b, r, pass, bias, 1, 0, &induced->x, &induced->y);
+		solve_group(k, l, a, b, r, pass, bias, 1, k->direct >> l, &induced->x, &induced->y);
+	else if (k->parts)
+		solve_group(k, l, a, b, r, pass, bias, 1, ~0u, &induced->x, &induced->y);
 	else
 		induced->x = induced->y = cni_wide_of(0.0f);
 }
@@ -479,7 +464,7 @@ CNI_INLINE void tree_motion_scatter(cni_velocity_start *starts, const cni_tree_b
 		moving_scatter((float *)(void *)starts, START_FLOATS, body_index(batch, k, l), lanes, j->vx[k], j->vy[k], j->w[k], j->jumped[k]);
 }
 
-/* Adds `induced` to the pin's impulse, with the order of sums of joints/joint_blocks.c. */
+/* Adds `induced` to the pin's impulse. */
 CNI_INLINE cni_wide induced_add(float *impulse, float *induced)
 {
 	cni_wide sum = cni_wide_load(impulse) + cni_wide_load(induced);
@@ -502,7 +487,7 @@ static void batch_relax(cni_motion *motions, cni_velocity_start *starts, cni_tre
 			int32_t node = batch->order[n], a = batch->tree.end[node][0], b = batch->tree.end[node][1];
 			cni_joint_block *k = &batch->nodes[node];
 			cni_wide jx = induced_add(k->jx + l, k->induced_x + l), jy = induced_add(k->jy + l, k->induced_y + l);
-			arms old = arms_load(k, l), r = arms_renew(&j.at[a], &j.at[b], k, l, k->angular != 0);
+			arms old = arms_load(k, l), r = arms_renew(&j.at[a], &j.at[b], k, l, k->parts != 0);
 			pair induced;
 			j.w[a] -= -(f.body[a].i * ((r.ax - old.ax) * jy - (r.ay - old.ay) * jx));
 			j.w[b] -= f.body[b].i * ((r.bx - old.bx) * jy - (r.by - old.by) * jx);

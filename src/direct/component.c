@@ -42,7 +42,6 @@ int32_t cni_component_is_touched(const cn_world *world, const cni_sparse *sparse
 void cni_component_release(cn_world *world, cni_sparse *sparse, cni_component *c)
 {
 	int32_t k;
-	++sparse->released;
 	for (k = c->begin; k < c->end; ++k)
 		if (sparse->nodes[k].owner >= 0) {
 			cni_joint_constraints(world)[sparse->nodes[k].owner].flags &= ~(uint32_t)CNI_CONSTRAINT_DIRECT;
@@ -102,9 +101,17 @@ void cni_direct_refresh(cn_world *world, cni_sparse *sparse, const cni_component
 	cni_sparse_factor(sparse, c, cni_motions(world));
 }
 
+void cni_component_rows_need(cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c)
+{
+	int32_t k;
+	for (k = c->begin; k < c->end; ++k)
+		if (sparse->nodes[k].owner >= 0)
+			cni_joint_rows_need(world, s, cni_joint_constraints(world) + sparse->nodes[k].owner);
+}
+
 void cni_direct_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c)
 {
-	cni_joint_constraints_complete(world, sparse, c);
+	cni_component_rows_need(world, s, sparse, c);
 	cni_sparse_clear(sparse, c);
 	cni_direct_rotations(world, sparse, c);
 	c->active = c->has_contacts || c->kind != CNI_NONE || !CNI_ON(ACTIVE_ROWS) ? 0 : cni_active_begin(world, s, sparse, c);

@@ -227,15 +227,15 @@ static void velocities_push(const cni_direct_contact_pass *q)
 int32_t cni_direct_contact_system_solve(const cni_direct_contact_pass *q)
 {
 	float regular = q->warm ? CNI_REGULARIZATION_WARM : CNI_REGULARIZATION_CONTACTS;
-	int32_t many = q->warm && !cni_attempt_work_is_spent(q->world), k;
+	int32_t many = q->warm && !cni_attempt_work_is_spent(q->world, q->c), k;
 	int32_t rounds = many ? (int32_t)CNI_CONTACT_SET_REFINEMENTS_WARM : (int32_t)CNI_CONTACT_SET_REFINEMENTS;
 	if (set_apply(q) || q->c->regular != regular)
 		q->c->factored = 0;
 	q->c->regular = regular;
 	for (k = 0; k < rounds && (right_sides(q) > 0.5f * q->speed_least || (k == 0 && !q->warm)); ++k) {
-		cni_attempt_work_count(q->world, &q->world->set_work, CNI_CONE_SOLUTION * (q->c->end - q->c->begin));
+		q->world->set_work += CNI_CONE_SOLUTION * (q->c->end - q->c->begin);
 		if (!q->c->factored) {
-			cni_attempt_work_count(q->world, &q->world->set_work, cni_cone_factor_work(q->c));
+			q->world->set_work += cni_cone_factor_work(q->c);
 			cni_sparse_factor(q->sparse, q->c, q->motions);
 		}
 		q->c->factored = 1;
@@ -358,7 +358,7 @@ int32_t cni_direct_contact_set_follow(const cni_direct_contact_pass *q)
 	do {
 		violations = slides_match(q, 1, set_try(q, 1));
 		++round;
-	} while (violations != 0 && violations < INT32_MAX && round < CNI_CONTACT_SET_ROUNDS_WARM && !cni_attempt_work_is_spent(q->world));
+	} while (violations != 0 && violations < INT32_MAX && round < CNI_CONTACT_SET_ROUNDS_WARM && !cni_attempt_work_is_spent(q->world, q->c));
 	return violations == 0;
 }
 
@@ -373,7 +373,7 @@ static int32_t is_in_vain(const cni_direct_contact_pass *q, int32_t round, int32
 static int32_t rounds_are_over(const cni_direct_contact_pass *q, int32_t round, int32_t violations)
 {
 	return violations == INT32_MAX || round >= q->rounds || (round >= CNI_CONTACT_SET_ROUNDS_ALL && violations > q->rounds - round) ||
-		is_in_vain(q, round, violations) || cni_attempt_work_is_spent(q->world);
+		is_in_vain(q, round, violations) || cni_attempt_work_is_spent(q->world, q->c);
 }
 
 /* Starts from the set of the last pass; if that is violated, from it and all touching points. */

@@ -25,6 +25,7 @@
  * fall on stand as often, 95 of 100.
  */
 #define CNI_ATTEMPT_WORK 200000
+#define CNI_ATTEMPT_WORK_DIRECT 2000000 /* ... with CN_SOLVER_DIRECT, 20 ms: 76 boxes under a crusher took 53 million, now 13 */
 #define CNI_ATTEMPT_PASS_WORK 100000 /* most of one pass, but for CNI_CONE_FACTORS_LEAST: large walls take 5 to 20, heaps that settle 40 to 60 */
 #define CNI_CONE_DEBT 12000
 #define CNI_CONE_FAILED 21000 /* what a failed attempt owes beside its work: 1,500 steps until the next */
@@ -37,16 +38,19 @@ static inline int32_t cni_cone_factor_work(const cni_component *c)
 	return c->work + CNI_CONE_NODE * (c->end - c->begin);
 }
 
-static inline void cni_attempt_work_count(const cn_world *world, int32_t *sum, int32_t work)
+/* Most of all systems in a step, for this one: with CN_SOLVER_DIRECT a large one may have CNI_CONE_FACTORS factorizations. */
+static inline int32_t cni_attempt_work_most(const cn_world *world, const cni_component *c)
 {
+	int64_t large = (int64_t)CNI_CONE_FACTORS * cni_cone_factor_work(c);
 	if (world->settings.solver == CN_SOLVER_AUTO)
-		*sum += work;
+		return CNI_ATTEMPT_WORK;
+	return (int32_t)(large < CNI_ATTEMPT_WORK_DIRECT ? CNI_ATTEMPT_WORK_DIRECT : large < INT32_MAX / 2 ? large : INT32_MAX / 2);
 }
 
 /* 1: the systems of this step have spent what they may. A search for a set then ends with its first result. */
-static inline int32_t cni_attempt_work_is_spent(const cn_world *world)
+static inline int32_t cni_attempt_work_is_spent(const cn_world *world, const cni_component *c)
 {
-	return world->settings.solver == CN_SOLVER_AUTO && world->cone_work + world->set_work >= CNI_ATTEMPT_WORK;
+	return world->cone_work + world->set_work >= cni_attempt_work_most(world, c);
 }
 
 /* Sets what cni_cone_debt (model/island.h) returns now. */

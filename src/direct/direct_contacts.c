@@ -257,7 +257,7 @@ static int32_t is_recent(const cni_direct_contact_pass *q, uint32_t step)
 /* 1: too large for the interior-point method. */
 static int32_t is_large(const cni_direct_contact_pass *q)
 {
-	return q->world->settings.solver == CN_SOLVER_AUTO && CNI_CONE_FACTORS * cni_cone_factor_work(q->c) > CNI_ATTEMPT_WORK;
+	return cni_cone_factor_work(q->c) > cni_attempt_work_most(q->world, q->c) / CNI_CONE_FACTORS;
 }
 
 /*
@@ -285,7 +285,12 @@ static int32_t work_a_contact(const cni_direct_contact_pass *q)
 static int32_t is_denied(const cni_direct_contact_pass *q)
 {
 	const cn_world *world = q->world;
-	return world->cone_work > 0 && world->cone_work + world->set_work + 2 * CNI_CONE_FACTORS_LEAST * cni_cone_factor_work(q->c) > CNI_ATTEMPT_WORK;
+	return world->cone_work > 0 && world->cone_work + world->set_work + 2 * CNI_CONE_FACTORS_LEAST * cni_cone_factor_work(q->c) > cni_attempt_work_most(world, q->c);
+}
+
+static int32_t owes_too_much(const cni_direct_contact_pass *q)
+{
+	return cni_cone_debt(q->world, q->island) + CNI_CONE_FACTORS_LEAST * work_a_contact(q) > CNI_CONE_DEBT;
 }
 
 /* 1: the interior-point method may run, in all substeps as long as the island's debt and the work of the step allow. A relax pass takes out
@@ -294,13 +299,11 @@ static int32_t cone_is_admitted(cni_direct_contact_pass *q)
 {
 	if (!q->bias && q->c->cone_pushed)
 		return 1;
-	if (q->world->settings.solver == CN_SOLVER_AUTO) {
-		if (is_large(q) || was_moving(q) || cni_cone_debt(q->world, q->island) + CNI_CONE_FACTORS_LEAST * work_a_contact(q) > CNI_CONE_DEBT)
-			return 0;
-		q->denied = is_denied(q);
-		if (q->denied)
-			return 0;
-	}
+	if (is_large(q) || (q->world->settings.solver == CN_SOLVER_AUTO && (was_moving(q) || owes_too_much(q))))
+		return 0;
+	q->denied = is_denied(q);
+	if (q->denied)
+		return 0;
 	q->c->cone_ran = 1;
 	q->c->cone_pushed = q->bias;
 	return 1;
@@ -320,7 +323,7 @@ static int32_t cone_solve(cni_direct_contact_pass *q)
 	q->warm = 0;
 	cni_direct_contact_round_begin(q);
 	good = cni_direct_contacts_cone(q, &factors);
-	cni_attempt_work_count(q->world, &q->world->cone_work, factors * cni_cone_factor_work(q->c));
+	q->world->cone_work += factors * cni_cone_factor_work(q->c);
 	debt_add(q, factors * work_a_contact(q));
 	if (!good || !energy_fits(q))
 		return 0;
@@ -363,7 +366,7 @@ int32_t cni_direct_contacts_solve(cn_world *world, const cni_solve *s, cni_spars
 		solution_accept(&q);
 		return 1;
 	}
-	c->denied = q.denied || (shared && cni_attempt_work_is_spent(world));
+	c->denied = q.denied || (shared && cni_attempt_work_is_spent(world, c));
 	if ((q.kept || (c->denied && c->cone_ran)) && solve_with_kept_set(&q))
 		return 1;
 	if (!c->denied)

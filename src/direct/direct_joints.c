@@ -117,7 +117,7 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 	memset(out, 0, sizeof *out);
 	if ((world->awake_joints.count == 0 && world->direct_islands.count == 0) || world->settings.solver == CN_SOLVER_SOFT || cni_joint_lanes_need_no_plan(world))
 		return;
-	if (!cni_direct_plan(world, s, out)) {
+	if (!cni_direct_plan(world, out)) {
 		joints_release(world);
 		world->direct_failed = 1;
 		world->warnings |= CN_WARNING_FRAME_MEMORY;
@@ -218,10 +218,8 @@ void cni_direct_solve(cn_world *world, const cni_solve *s, int32_t bias)
 			contacts_release(world, s->direct, c);
 		if (!c->has_contacts)
 			joints_solve(world, s, c, bias);
-		if (bias && !c->has_contacts && !c->done && !c->active && c->kind == CNI_NONE && cni_geometric_stiffness_lock(world, s->direct, c, s->h)) {
-			cni_sparse_factor(s->direct, c, cni_motions(world));
-			joints_solve(world, s, c, bias);
-		}
+		if (bias && c->kind == CNI_NONE)
+			(void)cni_component_lock(world, s, c, CNI_SNAP_RAD);
 	}
 	cni_heavy_contacts_solve(world, s, bias);
 }

@@ -190,16 +190,12 @@ static int32_t links_filter(const cn_world *world, cni_link *links, int32_t coun
 }
 
 /* Flags the joint constraints in the plan and stores the nodes of the contacts. */
-static void owners_mark(cn_world *world, const cni_solve *s, const cni_link *links, int32_t count, const uint8_t *planned, cni_sparse *out)
+static void owners_mark(cn_world *world, const cni_link *links, int32_t count, const uint8_t *planned, cni_sparse *out)
 {
 	int32_t k;
 	for (k = 0; k < count; ++k)
-		if (planned[k] && links[k].owner >= 0) {
-			cni_joint_constraint *w = cni_joint_constraints(world) + links[k].owner;
-			w->flags |= CNI_CONSTRAINT_DIRECT;
-			if (w->form != 0)
-				cni_joint_rows_begin(world, s, w);
-		}
+		if (planned[k] && links[k].owner >= 0)
+			cni_joint_constraints(world)[links[k].owner].flags |= CNI_CONSTRAINT_DIRECT;
 	for (k = 0; k < out->node_count; ++k)
 		if (out->nodes[k].owner < 0)
 			out->contacts[-1 - out->nodes[k].owner].node = k;
@@ -246,7 +242,7 @@ static int32_t scratch_take(cn_world *world, cni_sparse *out)
 	return out->heavies != NULL && out->saved != NULL && out->pull != NULL && out->turn != NULL && out->projections != NULL && out->projection_slots != NULL && out->projection_of != NULL;
 }
 
-int32_t cni_direct_plan(cn_world *world, const cni_solve *s, cni_sparse *out)
+int32_t cni_direct_plan(cn_world *world, cni_sparse *out)
 {
 	int32_t room = contacts_most(world);
 	int32_t joints = world->awake_joints.count, count;
@@ -275,6 +271,6 @@ int32_t cni_direct_plan(cn_world *world, const cni_solve *s, cni_sparse *out)
 			return 0;
 		(void)islands_refuse(world, links, count, planned); /* joints without their contacts may have taken the budget of others */
 	}
-	owners_mark(world, s, links, count, planned, out);
+	owners_mark(world, links, count, planned, out);
 	return scratch_take(world, out);
 }

@@ -12,7 +12,7 @@
 /* ---- components of joints that are solved directly: direct/component.c ---- */
 
 /* Plans the components of this step and flags their joint constraints. 0: no scratch memory. direct/direct_plan.c */
-int32_t cni_direct_plan(cn_world *world, const cni_solve *s, cni_sparse *out);
+int32_t cni_direct_plan(cn_world *world, cni_sparse *out);
 /* Reads the nodes' levers from the rows of their joint constraints and factors the system. */
 void cni_direct_refresh(cn_world *world, cni_sparse *sparse, const cni_component *c);
 /* Bound on the scratch memory of planning. direct/direct_plan.c */
@@ -23,8 +23,10 @@ int32_t cni_component_is_touched(const cn_world *world, const cni_sparse *sparse
 void cni_component_release(cn_world *world, cni_sparse *sparse, cni_component *c);
 /* ... and for `span` steps; 0: for a span that doubles with each failure. */
 void cni_component_suspend(cn_world *world, cni_sparse *sparse, cni_component *c, int32_t span);
+/* Builds the rows of its joints that have none yet. */
+void cni_component_rows_need(cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c);
 /* 1: only the component's rigid joints constrain its bodies in this step. */
-int32_t cni_component_uses_rattle(const cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c);
+int32_t cni_component_uses_rattle(cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c);
 /* Levers, dampers and factors of a component for the world's substeps. */
 void cni_direct_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c);
 /* Copies velocities and positions of the component's bodies into sparse->saved (restore 0), or back (1). */
@@ -106,6 +108,9 @@ void cni_tree_batches_solve(cn_world *world, const cni_solve *s);
 void cni_tree_batches_relax(cn_world *world, const cni_solve *s);
 /* After contacts: solves lanes again that contacts would open. direct/joint_projection.c */
 void cni_tree_batches_project(cn_world *world, const cni_solve *s);
+/* Reads the levers and gaps of a batched component from its lane, for cni_component_lock; then adds the impulses of the nodes to the lane. */
+void cni_tree_lane_read(const cni_solve *s, cni_component *c);
+void cni_tree_lane_add(const cni_solve *s, const cni_component *c);
 /* Bound on the scratch memory of batches for this number of joints. */
 uint64_t cni_tree_batch_bytes(int32_t joints);
 
@@ -128,8 +133,11 @@ void cni_geometric_stiffness_damp(const cn_world *world, cni_sparse *sparse, con
 
 /* Applies x of every node to body velocities and row impulses. */
 void cni_direct_push(cn_world *world, const cni_sparse *sparse, const cni_component *c);
-/* Locks the relative rotation of pinned bodies, until the next cni_direct_system, where one of them would turn too far in a substep of
-   length h for positions to follow. Returns 1 when it locked any: the component must be factored again. */
-int32_t cni_geometric_stiffness_lock(const cn_world *world, const cni_sparse *sparse, cni_component *c, float h);
+/* Locks the relative rotation of pinned bodies, until the next cni_direct_system, where one of them would turn too far in a substep for
+   positions to follow: faster than `most`. Returns 1 when it locked any: the component must be factored again. */
+int32_t cni_geometric_stiffness_lock(const cn_world *world, const cni_sparse *sparse, cni_component *c, float most);
+/* Locks joints of bodies that would turn farther than this in the substep, and solves the component again if there are any.
+   Returns 1 then. direct/active_set.c */
+int32_t cni_component_lock(cn_world *world, const cni_solve *s, cni_component *c, float turn);
 
 #endif

@@ -430,10 +430,14 @@ static float slips_find(const cone *q)
 
 static int32_t factors_most(const cni_direct_contact_pass *pass)
 {
-	int32_t credit = cni_max_i(CNI_CONE_DEBT - cni_cone_debt(pass->world, pass->island), 0) * (pass->c->end - pass->c->begin);
-	if (pass->world->settings.solver == CN_SOLVER_DIRECT)
-		return CNI_CONE_FACTORS_DIRECT;
-	return cni_max_i(cni_min_i(CNI_CONE_FACTORS_MAX, cni_min_i(CNI_ATTEMPT_PASS_WORK, credit) / cni_cone_factor_work(pass->c)), CNI_CONE_FACTORS_LEAST);
+	const cn_world *world = pass->world;
+	int32_t credit = cni_max_i(CNI_CONE_DEBT - cni_cone_debt(world, pass->island), 0) * (pass->c->end - pass->c->begin);
+	int32_t most = CNI_CONE_FACTORS_MAX, work = cni_min_i(CNI_ATTEMPT_PASS_WORK, credit);
+	if (world->settings.solver == CN_SOLVER_DIRECT) {
+		most = CNI_CONE_FACTORS_DIRECT;
+		work = cni_attempt_work_most(world, pass->c) - world->cone_work - world->set_work;
+	}
+	return cni_max_i(cni_min_i(most, work / cni_cone_factor_work(pass->c)), CNI_CONE_FACTORS_LEAST);
 }
 
 int32_t cni_direct_contacts_cone(const cni_direct_contact_pass *pass, int32_t *out_factors)

@@ -134,10 +134,9 @@ void cni_geometric_stiffness_damp(const cn_world *world, cni_sparse *sparse, con
 	}
 }
 
-int32_t cni_geometric_stiffness_lock(const cn_world *world, const cni_sparse *sparse, cni_component *c, float h)
+int32_t cni_geometric_stiffness_lock(const cn_world *world, const cni_sparse *sparse, cni_component *c, float most)
 {
 	const cni_motion *motions = cni_motions(world);
-	float most = CNI_SNAP_RAD / h;
 	int32_t k, found = 0;
 	for (k = c->begin; k < c->end && CNI_ON(GEOMETRIC_STIFFNESS); ++k) {
 		cni_node *n = &sparse->nodes[k];

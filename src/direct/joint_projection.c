@@ -4,7 +4,9 @@
  * Joints are solved first, then contacts. A body that a contact stopped would separate from its jointed neighbours when positions move, by
  * 4 cm in a substep at 10 m/s. Where joints would open by more than CNI_BAD_PART of the accuracy, also because fast lever arms leave
  * the tangent, their system is solved once more, then the contacts of its bodies, for a few rounds, joints last. A scene without hard stops
- * costs one check of the joints of touched systems; later rounds only check systems whose bodies have changed.
+ * costs one check of the joints of touched systems; later rounds only check systems whose bodies have changed. A ball that a wall stops
+ * pushes the light chain on which it hangs into itself, and exact joints turn its links by any angle: those that would turn by more than
+ * CNI_BUCKLE_RAD in the substep are locked to each other.
  *
  * Reads and writes the data of direct/direct_joints.c and contact_solve.c, between their passes.
  */
@@ -190,6 +192,18 @@ static int32_t component_project(cn_world *world, const cni_solve *s, cni_compon
 	if (!is_opening(world, s, c))
 		return 0;
 	cni_component_solve(world, s, c);
+	(void)cni_component_lock(world, s, c, CNI_BUCKLE_RAD);
+	return 1;
+}
+
+/* Returns 1 when its batch has solved it. */
+static int32_t lane_project(cn_world *world, const cni_solve *s, cni_component *c)
+{
+	if (!(s->direct->batches[c->batch].opening >> c->lane & 1u))
+		return 0;
+	cni_tree_lane_read(s, c);
+	if (cni_component_lock(world, s, c, CNI_BUCKLE_RAD))
+		cni_tree_lane_add(s, c);
 	return 1;
 }
 
@@ -197,9 +211,7 @@ static int32_t projection_run(cn_world *world, const cni_solve *s, const cni_pro
 {
 	if (!c->selected)
 		return 0;
-	if (c->batch != CNI_NONE)
-		return (int32_t)(s->direct->batches[c->batch].opening >> c->lane & 1u);
-	return component_project(world, s, &s->direct->components[c->component]);
+	return (c->batch != CNI_NONE ? lane_project : component_project)(world, s, &s->direct->components[c->component]);
 }
 
 /* Returns 1 when some joints were opening, so that their contacts must be solved once more. */

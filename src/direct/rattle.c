@@ -72,13 +72,13 @@ static int32_t only_component_holds(const cn_world *world, int32_t index)
 	return 1;
 }
 
-/* A pin with a spring or motor in a lane: excluded without building its rows. */
+/* A pin with a spring or motor: excluded without building its rows. */
 static int32_t constraint_is_driven(const cni_joint_constraint *w)
 {
-	return (w->flags & CNI_CONSTRAINT_WIDE) && (w->record->flags & (CN_JOINT_SPRING | CN_JOINT_MOTOR));
+	return w->record->type == CN_JOINT_REVOLUTE && (w->record->flags & (CN_JOINT_SPRING | CN_JOINT_MOTOR));
 }
 
-int32_t cni_component_uses_rattle(const cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c)
+int32_t cni_component_uses_rattle(cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c)
 {
 	int32_t k;
 	for (k = c->begin; k < c->end; ++k)
@@ -87,7 +87,7 @@ int32_t cni_component_uses_rattle(const cn_world *world, const cni_solve *s, con
 	for (k = c->body_begin; k < c->body_end; ++k)
 		if (!only_component_holds(world, sparse->bodies[k]))
 			return 0;
-	cni_joint_constraints_complete(world, sparse, c);
+	cni_component_rows_need(world, s, sparse, c);
 	for (k = c->begin; k < c->end; ++k) {
 		const cni_node *n = &sparse->nodes[k];
 		if (!end_is_eligible(world, n->ia) || !end_is_eligible(world, n->ib) ||
@@ -540,7 +540,7 @@ static int32_t rattle_run(rattle_step *g, const cni_solve *s, cni_component *c, 
 			return 1;
 		*t = before;
 		step_undo(g);
-		cni_attempt_work_count(g->world, &g->world->set_work, attempt_work(c, substeps));
+		g->world->set_work += attempt_work(c, substeps);
 		substeps *= 2;
 	} while (substeps <= CNI_RATTLE_SUBSTEPS_RETRY && may_retry(g->world, c, substeps));
 	return 0;

@@ -12,17 +12,9 @@ static void points_box(const cni_vec2 *points, int32_t count, float radius, cons
 {
 	cni_vec2 p = cni_transform_point(*x, points[0]);
 	cni_aabb box = { p.x, p.y, p.x, p.y };
-	for (int32_t i = 1; i < count; ++i) {
-		p = cni_transform_point(*x, points[i]);
-		box.x0 = cni_min(p.x, box.x0);
-		box.y0 = cni_min(p.y, box.y0);
-		box.x1 = cni_max(p.x, box.x1);
-		box.y1 = cni_max(p.y, box.y1);
-	}
-	out->x0 = box.x0 - radius;
-	out->y0 = box.y0 - radius;
-	out->x1 = box.x1 + radius;
-	out->y1 = box.y1 + radius;
+	for (int32_t i = 1; i < count; ++i)
+		box = cni_aabb_with_point(box, cni_transform_point(*x, points[i]));
+	*out = cni_box_fatten(box, radius);
 }
 
 #if CNI_HAS_WIDE_4
@@ -86,8 +78,7 @@ cni_aabb cni_geometry_bounds(const cni_geometry *g, cni_transform x)
 static float point_to_segment_sq(cni_vec2 point, cni_vec2 a, cni_vec2 b)
 {
 	cni_vec2 edge = cni_sub(b, a);
-	float t = cni_clamp(cni_dot(cni_sub(point, a), edge) / cni_length_sq(edge), 0.0f, 1.0f);
-	return cni_distance_sq(point, cni_madd(a, t, edge));
+	return cni_distance_sq(point, cni_madd(a, cni_segment_fraction(point, a, edge), edge));
 }
 
 static int32_t polygon_contains(const cni_geometry *g, cni_vec2 point)

@@ -16,7 +16,7 @@ typedef struct outsider {
 	float area_twice;
 } outsider;
 
-static int32_t point_leftmost(const cni_vec2 *points, int32_t count)
+int32_t cni_point_leftmost(const cni_vec2 *points, int32_t count)
 {
 	int32_t best = 0;
 	for (int32_t i = 1; i < count; ++i)
@@ -25,13 +25,20 @@ static int32_t point_leftmost(const cni_vec2 *points, int32_t count)
 	return best;
 }
 
-static int32_t point_farthest(const cni_vec2 *points, int32_t count, cni_vec2 from)
+int32_t cni_point_farthest(const cni_vec2 *points, int32_t count, cni_vec2 from)
 {
 	int32_t best = 0;
 	for (int32_t i = 1; i < count; ++i)
 		if (cni_distance_sq(points[i], from) > cni_distance_sq(points[best], from))
 			best = i;
 	return best;
+}
+
+int32_t cni_point_remove(cni_vec2 *points, int32_t count, int32_t at)
+{
+	for (int32_t i = at; i + 1 < count; ++i)
+		points[i] = points[i + 1];
+	return count - 1;
 }
 
 /* The point farthest to the right of a -> b, if farther than height_min; of equally far points the one nearest b. */
@@ -62,13 +69,6 @@ static void vertex_insert(cn_polygon *out, int32_t at, cni_vec2 point)
 		out->points_m[i] = out->points_m[i - 1];
 	out->points_m[at] = point;
 	++out->count;
-}
-
-static void vertex_remove(cn_polygon *out, int32_t at)
-{
-	--out->count;
-	for (int32_t i = at; i < out->count; ++i)
-		out->points_m[i] = out->points_m[i + 1];
 }
 
 static void hull_grow(const cni_vec2 *points, int32_t count, float height_min, cn_polygon *out)
@@ -109,7 +109,7 @@ static void hull_clean(cn_polygon *out, float tolerance, float height_min)
 		}
 		if (worst == CNI_NONE)
 			return;
-		vertex_remove(out, worst);
+		out->count = cni_point_remove(out->points_m, out->count, worst);
 	}
 }
 
@@ -124,8 +124,8 @@ const char *cni_hull_make(const cni_vec2 *points, int32_t count, float tolerance
 	float height_min = cni_collinear_height(points, count, tolerance);
 	hull.count = 2;
 	hull.radius_m = 0.0f;
-	hull.points_m[0] = points[point_leftmost(points, count)];
-	hull.points_m[1] = points[point_farthest(points, count, hull.points_m[0])];
+	hull.points_m[0] = points[cni_point_leftmost(points, count)];
+	hull.points_m[1] = points[cni_point_farthest(points, count, hull.points_m[0])];
 	if (cni_distance_sq(hull.points_m[0], hull.points_m[1]) <= tolerance * tolerance)
 		return "points must not coincide";
 	hull_grow(points, count, height_min, &hull);

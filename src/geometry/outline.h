@@ -24,6 +24,10 @@ int32_t cni_orientation(cni_vec2 a, cni_vec2 b, cni_vec2 c);
    crosses or touches itself. out may not be points. */
 const char *cni_outline_clean(const cni_vec2 *points, int32_t count, float tolerance, cni_vec2 *out, int32_t *out_count);
 
+/* Height of a vertex over the line through its neighbours; FLT_MAX where the outline turns by more than a right angle. */
+float cni_vertex_height(const cni_vec2 *points, int32_t count, int32_t i);
+void cni_points_reverse(cni_vec2 *points, int32_t count);
+
 /* Writes the first capacity convex pieces of a simple outline, each of which cni_check_polygon accepts, and the number of all. Returns
    NULL, or an error text, as cni_outline_clean. */
 const char *cni_outline_decompose(const cni_vec2 *points, int32_t count, float tolerance, cn_polygon *out, int32_t capacity,

@@ -32,8 +32,7 @@ static int32_t near_remove(const cni_vec2 *points, int32_t count, float toleranc
 	return kept;
 }
 
-/* FLT_MAX where the outline turns by more than a right angle. */
-static float vertex_height(const cni_vec2 *points, int32_t count, int32_t i)
+float cni_vertex_height(const cni_vec2 *points, int32_t count, int32_t i)
 {
 	cni_vec2 before = points[i > 0 ? i - 1 : count - 1];
 	cni_vec2 after = points[i + 1 < count ? i + 1 : 0];
@@ -48,7 +47,7 @@ static int32_t collinear_remove(cni_vec2 *points, int32_t count, float height_mi
 		int32_t lowest = CNI_NONE;
 		float height = height_min;
 		for (int32_t i = 0; i < count; ++i) {
-			float h = vertex_height(points, count, i);
+			float h = cni_vertex_height(points, count, i);
 			if (h <= height && (lowest == CNI_NONE || h < height)) {
 				lowest = i;
 				height = h;
@@ -56,9 +55,7 @@ static int32_t collinear_remove(cni_vec2 *points, int32_t count, float height_mi
 		}
 		if (lowest == CNI_NONE)
 			break;
-		--count;
-		for (int32_t i = lowest; i < count; ++i)
-			points[i] = points[i + 1];
+		count = cni_point_remove(points, count, lowest);
 	}
 	return count;
 }
@@ -92,14 +89,11 @@ static int32_t outline_is_simple(const cni_vec2 *p, int32_t count)
 /* At the lowest of the leftmost points a simple polygon is convex: 1 counter-clockwise, -1 clockwise, 0 without area. */
 static int32_t outline_winding(const cni_vec2 *p, int32_t count)
 {
-	int32_t first = 0;
-	for (int32_t i = 1; i < count; ++i)
-		if (p[i].x < p[first].x || (p[i].x == p[first].x && p[i].y < p[first].y))
-			first = i;
+	int32_t first = cni_point_leftmost(p, count);
 	return cni_orientation(p[first > 0 ? first - 1 : count - 1], p[first], p[first + 1 < count ? first + 1 : 0]);
 }
 
-static void points_reverse(cni_vec2 *points, int32_t count)
+void cni_points_reverse(cni_vec2 *points, int32_t count)
 {
 	for (int32_t i = 0, j = count - 1; i < j; ++i, --j) {
 		cni_vec2 p = points[i];
@@ -120,7 +114,7 @@ const char *cni_outline_clean(const cni_vec2 *points, int32_t count, float toler
 	if (winding == 0)
 		return text_few;
 	if (winding < 0)
-		points_reverse(out, kept);
+		cni_points_reverse(out, kept);
 	*out_count = kept;
 	return NULL;
 }

@@ -193,9 +193,8 @@ static int32_t ring_flattest(const cni_vec2 *ring, int32_t count, float flat)
 	int32_t flattest = CNI_NONE;
 	float least = flat;
 	for (int32_t i = 0; i < count; ++i) {
-		cni_vec2 before = ring[i > 0 ? i - 1 : count - 1], after = ring[i + 1 < count ? i + 1 : 0];
-		float height = cni_abs(cni_cross(cni_sub(ring[i], before), cni_normalize(cni_sub(after, before))));
-		if (height <= least && cni_dot(cni_sub(ring[i], before), cni_sub(after, ring[i])) > 0.0f) {
+		float height = cni_vertex_height(ring, count, i);
+		if (height <= least) {
 			flattest = i;
 			least = height;
 		}
@@ -214,11 +213,8 @@ static int32_t piece_make(const mesh *m, int32_t first, cn_polygon *out)
 		ring[count++] = m->points[m->corner[h]];
 		h = boundary_next(m, h);
 	} while (h != first);
-	while (count > 3 && (flattest = ring_flattest(ring, count, m->flat)) != CNI_NONE) {
-		--count;
-		for (int32_t i = flattest; i < count; ++i)
-			ring[i] = ring[i + 1];
-	}
+	while (count > 3 && (flattest = ring_flattest(ring, count, m->flat)) != CNI_NONE)
+		count = cni_point_remove(ring, count, flattest);
 	if (count > CN_POLYGON_MAX_VERTICES)
 		return 0;
 	memset(out, 0, sizeof *out);

@@ -26,9 +26,7 @@ static cni_vec2 point_at(const simplifier *s, int32_t i) { return s->points[i < 
 static float segment_distance_sq(cni_vec2 a, cni_vec2 b, cni_vec2 p)
 {
 	cni_vec2 along = cni_sub(b, a), d = cni_sub(p, a);
-	float length_sq = cni_length_sq(along);
-	float t = length_sq > 0.0f ? cni_clamp(cni_dot(d, along) / length_sq, 0.0f, 1.0f) : 0.0f;
-	return cni_length_sq(cni_madd(d, -t, along));
+	return cni_length_sq(cni_madd(d, -cni_segment_fraction(p, a, along), along));
 }
 
 static int32_t stretch_farthest(const simplifier *s, stretch part)
@@ -65,15 +63,6 @@ static void stretch_simplify(simplifier *s, int32_t first, int32_t last)
 	}
 }
 
-static int32_t point_farthest_from(const cni_vec2 *points, int32_t count, int32_t from)
-{
-	int32_t best = from;
-	for (int32_t i = 0; i < count; ++i)
-		if (cni_distance_sq(points[i], points[from]) > cni_distance_sq(points[best], points[from]))
-			best = i;
-	return best;
-}
-
 static int32_t kept_write(const simplifier *s, cni_vec2 *out, int32_t capacity)
 {
 	int32_t written = 0;
@@ -100,7 +89,7 @@ int32_t cni_outline_simplify(const cni_vec2 *points, int32_t count, int32_t clos
 		stretch_simplify(&s, 0, count - 1);
 		return kept_write(&s, out, capacity);
 	}
-	int32_t a = point_farthest_from(points, count, 0), b = point_farthest_from(points, count, a);
+	int32_t a = cni_point_farthest(points, count, points[0]), b = cni_point_farthest(points, count, points[a]);
 	int32_t first = cni_min_i(a, b), last = cni_max_i(a, b), kept = 0;
 	point_keep(&s, first);
 	point_keep(&s, last);

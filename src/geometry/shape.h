@@ -71,6 +71,12 @@ const char *cni_check_chain(const cn_chain *chain, float tolerance);
    allocation: repeated farthest-point insertion, see hull.c. */
 const char *cni_hull_make(const cni_vec2 *points, int32_t count, float tolerance, cn_polygon *out);
 
+/* Points of a row: the lowest of the leftmost, the first of the farthest. */
+int32_t cni_point_leftmost(const cni_vec2 *points, int32_t count);
+int32_t cni_point_farthest(const cni_vec2 *points, int32_t count, cni_vec2 from);
+/* Removes a point; returns the new count. */
+int32_t cni_point_remove(cni_vec2 *points, int32_t count, int32_t at);
+
 /* Tight box of child (0 for all but chains) with the body's origin at transform->t. */
 void cni_geometry_box(const cni_geometry *g, int32_t child, const cni_transform *transform, cni_aabb *out);
 static inline cni_aabb cni_geometry_aabb(const cni_geometry *g, int32_t child, cni_transform transform)

@@ -48,11 +48,16 @@ static void header_measure(cni_geometry *out)
 }
 
 /* A segment is a polygon of two corners with two opposite normals. */
-static void segment_normals_write(cni_geometry *out)
+static void segment_write(cni_geometry *out, int32_t type, cni_vec2 a, cni_vec2 b, float radius, cni_transform offset)
 {
 	cni_vec2 *p = points_write(out);
+	header_write(out, type, 2, radius);
+	p[0] = cni_transform_point(offset, a);
+	p[1] = cni_transform_point(offset, b);
 	p[2] = cni_normalize(cni_right_perp(cni_sub(p[1], p[0])));
 	p[3] = cni_neg(p[2]);
+	header_measure(out);
+	out->inner_radius = radius;
 }
 
 void cni_geometry_circle(cni_geometry *out, const cn_circle *circle, cni_transform offset)
@@ -65,21 +70,12 @@ void cni_geometry_circle(cni_geometry *out, const cn_circle *circle, cni_transfo
 
 void cni_geometry_capsule(cni_geometry *out, const cn_capsule *capsule, cni_transform offset)
 {
-	header_write(out, CN_SHAPE_CAPSULE, 2, capsule->radius_m);
-	points_write(out)[0] = cni_transform_point(offset, capsule->a_m);
-	points_write(out)[1] = cni_transform_point(offset, capsule->b_m);
-	segment_normals_write(out);
-	header_measure(out);
-	out->inner_radius = capsule->radius_m;
+	segment_write(out, CN_SHAPE_CAPSULE, capsule->a_m, capsule->b_m, capsule->radius_m, offset);
 }
 
 void cni_geometry_edge(cni_geometry *out, const cn_edge *edge, cni_transform offset)
 {
-	header_write(out, CN_SHAPE_EDGE, 2, 0.0f);
-	points_write(out)[0] = cni_transform_point(offset, edge->a_m);
-	points_write(out)[1] = cni_transform_point(offset, edge->b_m);
-	segment_normals_write(out);
-	header_measure(out);
+	segment_write(out, CN_SHAPE_EDGE, edge->a_m, edge->b_m, 0.0f, offset);
 }
 
 /* Twice the signed area, about the first point so that polygons far from the origin keep their digits. */

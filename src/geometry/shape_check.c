@@ -47,22 +47,19 @@ const char *cni_check_circle(const cn_circle *circle, float tolerance)
 	return NULL;
 }
 
-const char *cni_check_capsule(const cn_capsule *capsule, float tolerance)
-{
-	const cni_vec2 ends[2] = { capsule->a_m, capsule->b_m };
-	if (!point_is_valid(capsule->a_m) || !point_is_valid(capsule->b_m))
-		return text_points;
-	if (!(capsule->radius_m > 0.0f && capsule->radius_m <= CNI_COORDINATE_MAX))
-		return text_radius;
-	return points_apart(ends, 2, 0, tolerance) ? NULL : cni_points_near;
-}
-
 const char *cni_check_edge(const cn_edge *edge, float tolerance)
 {
 	const cni_vec2 ends[2] = { edge->a_m, edge->b_m };
 	if (!point_is_valid(edge->a_m) || !point_is_valid(edge->b_m))
 		return text_points;
 	return points_apart(ends, 2, 0, tolerance) ? NULL : cni_points_near;
+}
+
+const char *cni_check_capsule(const cn_capsule *capsule, float tolerance)
+{
+	const cn_edge edge = { capsule->a_m, capsule->b_m };
+	const char *wrong = cni_check_edge(&edge, tolerance);
+	return wrong != text_points && !(capsule->radius_m > 0.0f && capsule->radius_m <= CNI_COORDINATE_MAX) ? text_radius : wrong;
 }
 
 float cni_collinear_height(const cni_vec2 *points, int32_t count, float tolerance)

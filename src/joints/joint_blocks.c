@@ -1,13 +1,13 @@
 /*
- * joints/joint_blocks.c - many joints of the soft step at once: colours and passes of all lanes, and lanes of revolute joints.
+ * joints/joint_blocks.c - many joints of the soft step at once: lanes, their colours and passes.
  *
- * Nearly all joints of most scenes are pins with or without an angular spring, motor and limit. Pins without other features (flag
- * CNI_CONSTRAINT_WIDE) are solved in the lanes of joints/joint_pass.h instead of by the rows of joints/joint_solve.c. Values that do not
- * change within the step are written into the lane once; kernels do the rest.
+ * Nearly all joints of most scenes are pins with or without an angular spring, motor and limit; nets have rods, springs and welds. Joints of
+ * a form of joints/joint_pass.h that are not solved directly are solved in its lanes instead of by the rows of joints/joint_solve.c. Values
+ * that do not change within the step are written into the lane once; kernels do the rest.
  *
- * Greedy colouring, first of directly solved joints, then in the order of the awake list: a joint takes the lowest colour that neither of
- * its bodies uses. The colours of a body are bits of the flags of its cni_external, which every step writes anew. Other types take theirs
- * after that (joints/joint_rows.c). Workers may share the blocks of a colour; they synchronize before the next colour.
+ * Greedy colouring, in the order of the awake list: a joint takes the lowest colour that neither of its bodies uses. The colours of a body
+ * are bits of the flags of its cni_external, which every step writes anew. Workers may share the blocks of a colour; they synchronize
+ * before the next colour.
  *
  * Reads joint constraints, records, motion, externals; writes blocks, colours, the list of joint constraints that are solved by rows, and
  * after the substeps the records' impulses.
@@ -38,7 +38,7 @@ const cni_joint_kernel *cni_joint_kernel_choose(void)
 #endif
 }
 
-/* ---- joint constraints ---- */
+/* ---- forms ---- */
 
 /* 1: nothing softens, bounds or breaks the joint. */
 static int32_t may_use_lane(const cn_world *world, const cni_joint *j)
@@ -47,43 +47,49 @@ static int32_t may_use_lane(const cn_world *world, const cni_joint *j)
 	       j->break_force <= 0.0f && j->break_torque <= 0.0f && world->settings.solver != CN_SOLVER_SEQUENTIAL;
 }
 
-/* Sets up a joint for a lane of rows, which it gets if it is not solved directly. */
-static int32_t form_begin(cn_world *world, int32_t k, const cni_joint *j, int32_t form)
+static int32_t form_of(const cni_joint *j)
 {
-	cni_joint_constraint *w = cni_joint_constraints(world) + k;
-	if (form == CNI_FORM_NONE)
-		return 0;
-	cni_joint_constraint_begin(world, k, j);
-	w->start.angle = cni_joint_frame_angle(world, w->record);
-	w->form = form;
-	w->row_count = 0;
-	w->rigid_count = cni_form_rigid_rows(form);
-	return 1;
+	if (j->type == CN_JOINT_DISTANCE)
+		return CNI_FORM_DISTANCE;
+	return j->type == CN_JOINT_REVOLUTE || j->type == CN_JOINT_FIXED ? CNI_FORM_PIN : CNI_FORM_NONE;
 }
 
-void cni_joint_constraints_complete(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+static uint32_t parts_of(const cni_joint *j)
 {
-	int32_t k, r;
-	for (k = c->begin; k < c->end; ++k) {
-		cni_joint_constraint *w = sparse->nodes[k].owner >= 0 ? cni_joint_constraints(world) + sparse->nodes[k].owner : NULL;
-		if (w == NULL || !(w->flags & CNI_CONSTRAINT_WIDE))
-			continue;
-		w->row_count = w->make_rows(w->record, &w->start, w->rows);
-		for (r = 0; r < w->row_count; ++r)
-			w->rows[r].impulse = w->record->impulse[w->rows[r].slot];
-	}
-}
-
-void cni_joint_constraint_narrow(cn_world *world, const cni_solve *s, int32_t k)
-{
-	cni_joint_constraint *w = cni_joint_constraints(world) + k;
-	if (!(w->flags & CNI_CONSTRAINT_WIDE))
-		return;
-	w->flags &= ~(uint32_t)CNI_CONSTRAINT_WIDE;
-	cni_joint_rows_begin(world, s, w);
+	if (j->type == CN_JOINT_FIXED)
+		return j->p[CNI_P_HERTZ] > 0.0f ? CN_JOINT_SPRING : CN_JOINT_SPRING | CNI_PART_HELD;
+	if (j->type == CN_JOINT_DISTANCE && !(j->flags & (CN_JOINT_SPRING | CN_JOINT_LIMIT)))
+		return CN_JOINT_SPRING | CNI_PART_HELD;
+	return j->flags & (CN_JOINT_SPRING | CN_JOINT_MOTOR | CN_JOINT_LIMIT);
 }
 
 /* ---- colours ---- */
+
+/* State while lanes are assigned. */
+typedef struct lane_builder {
+	cn_world *world;
+	const cni_solve *s;
+	cni_lane_spring spring;
+	int32_t open[CNI_JOINT_COLORS][CNI_FORMS]; /* the last block begun for this colour and form */
+} lane_builder;
+
+/* Takes a colour that neither body uses yet and marks it as used; CNI_NONE: there is none. */
+static int32_t color_take(cn_world *world, int32_t ia, int32_t ib)
+{
+	cni_external *a = cni_motion_can_move(cni_motions(world) + ia) ? cni_externals(world) + ia : NULL;
+	cni_external *b = cni_motion_can_move(cni_motions(world) + ib) ? cni_externals(world) + ib : NULL;
+	uint32_t used = (a != NULL ? a->flags : 0) | (b != NULL ? b->flags : 0);
+	uint32_t open = ~(used >> CNI_EXTERNAL_COLOR_SHIFT) & ((1u << CNI_JOINT_COLORS) - 1u);
+	int32_t color;
+	if (open == 0)
+		return CNI_NONE;
+	color = cni_bit_lowest32(open);
+	if (a != NULL)
+		a->flags |= 1u << (CNI_EXTERNAL_COLOR_SHIFT + color);
+	if (b != NULL)
+		b->flags |= 1u << (CNI_EXTERNAL_COLOR_SHIFT + color);
+	return color;
+}
 
 int32_t cni_joint_block_take(cn_world *world)
 {
@@ -91,98 +97,128 @@ int32_t cni_joint_block_take(cn_world *world)
 	cni_joint_block *block = cni_joint_blocks(world) + index;
 	CNI_ASSERT(world->joint_blocks.count <= world->joint_blocks.capacity);
 	memset(block, 0, sizeof *block);
-	block->next = CNI_NONE;
+	block->form = CNI_FORM_PIN;
+	block->color = CNI_NONE;
 	return index;
 }
 
-/* Appends an empty block to the colour. */
-static cni_joint_block *block_take(cn_world *world, int32_t color)
+/* A block of this colour and form with an empty lane. */
+static cni_joint_block *block_open(lane_builder *t, int32_t color, int32_t form)
 {
-	cni_color *group = &world->joint_colors[color];
-	int32_t index = cni_joint_block_take(world);
-	if (group->last == CNI_NONE)
-		group->first = index;
-	else
-		cni_joint_blocks(world)[group->last].next = index;
-	group->last = index;
-	return cni_joint_blocks(world) + index;
+	cn_world *world = t->world;
+	int32_t *open = &t->open[color][form];
+	if (*open == CNI_NONE || cni_joint_blocks(world)[*open].lanes == CNI_LANES) {
+		*open = cni_joint_block_take(world);
+		cni_joint_blocks(world)[*open].form = form;
+		cni_joint_blocks(world)[*open].color = color;
+		++world->joint_blocks_of[color];
+	}
+	return cni_joint_blocks(world) + *open;
+}
+
+/* Lists each colour's blocks one after the other, so that workers can share them. */
+static void blocks_list(cn_world *world)
+{
+	cni_joint_block *blocks = cni_joint_blocks(world);
+	int32_t at[CNI_JOINT_COLORS], color, k, count = 0;
+	for (color = 0; color < CNI_JOINT_COLORS; ++color) {
+		at[color] = count;
+		count += world->joint_blocks_of[color];
+	}
+	for (k = 0; k < world->joint_blocks.count; ++k)
+		if (blocks[k].color != CNI_NONE)
+			blocks[at[blocks[k].color]++].listed = k;
 }
 
 /* ---- lanes ---- */
 
-static void spring_fill(cni_lane_spring *g, float h, const cni_joint *j, cni_joint_block *block, int32_t l)
+/* Neighbouring joints often have equal springs. */
+static cni_soft spring_soft(cni_lane_spring *g, float hertz, float damping_ratio, float h)
 {
-	cni_soft soft = cni_lane_spring_soft(g, j->p[CNI_P_REVOLUTE_HERTZ], j->p[CNI_P_REVOLUTE_DAMPING], h);
-	block->rest[l] = j->p[CNI_P_REVOLUTE_TARGET];
+	if (hertz != g->hertz || damping_ratio != g->damping_ratio) {
+		g->hertz = hertz;
+		g->damping_ratio = damping_ratio;
+		g->soft = cni_soft_exact(hertz, damping_ratio, h);
+	}
+	return g->soft;
+}
+
+static void spring_fill(cni_lane_spring *g, const cni_solve *s, const cni_joint_constraint *w, cni_joint_block *block, int32_t l)
+{
+	const cni_joint *j = w->record;
+	int32_t at = j->type == CN_JOINT_DISTANCE ? CNI_P_DISTANCE_HERTZ : CNI_P_HERTZ;
+	cni_soft soft = s->joint;
+	if (!(w->parts & CNI_PART_HELD))
+		soft = j->type == CN_JOINT_FIXED ? cni_soft_implicit(j->p[at], j->p[at + 1], s->h) : spring_soft(g, j->p[at], j->p[at + 1], s->h);
+	else if (!(block->held >> l & 1u)) /* false when a lane is filled again, which other workers may do in the same block */
+		block->held |= 1u << l;
+	block->rest[l] = j->type == CN_JOINT_DISTANCE ? j->p[CNI_P_LENGTH] : j->type == CN_JOINT_FIXED ? 0.0f : j->p[CNI_P_TARGET];
 	block->spring_mass[l] = soft.mass_scale;
 	block->spring_bias[l] = soft.bias_scale;
 	block->spring_impulse_scale[l] = soft.impulse_scale;
-	block->spring_j[l] = j->impulse[CNI_REVOLUTE_SPRING];
+	block->spring_j[l] = j->impulse[cni_lane_spring_slot(w)];
 }
 
 /* 1: the lower end is nearer. */
-static float limit_sign(const cni_joint *j, float angle)
+static float limit_sign(const cni_joint *j, float measure)
 {
-	return angle - j->p[CNI_P_LOWER] <= j->p[CNI_P_UPPER] - angle ? 1.0f : -1.0f;
+	return measure - j->p[CNI_P_LOWER] <= j->p[CNI_P_UPPER] - measure ? 1.0f : -1.0f;
 }
 
-static uint32_t pin_has(const cni_joint *j)
-{
-	return j->flags & (CN_JOINT_SPRING | CN_JOINT_MOTOR | CN_JOINT_LIMIT);
-}
-
-static void angle_fill(cni_lane_spring *spring, float h, const cni_joint_constraint *w, cni_joint_block *block, int32_t l)
+static void parts_fill(cni_lane_spring *spring, const cni_solve *s, const cni_joint_constraint *w, cni_joint_block *block, int32_t l)
 {
 	const cni_joint *j = w->record;
-	if ((pin_has(j) & ~block->angular) != 0) /* false when a lane is filled again, which other workers may do in the same block */
-		block->angular |= pin_has(j);
-	block->angle0[l] = block->angle[l] = w->start.angle;
-	if (j->flags & CN_JOINT_SPRING)
-		spring_fill(spring, h, j, block, l);
-	if (j->flags & CN_JOINT_MOTOR) {
+	if ((w->parts & ~block->parts) != 0) /* as for held lanes */
+		block->parts |= w->parts;
+	if (w->parts & CN_JOINT_SPRING)
+		spring_fill(spring, s, w, block, l);
+	if (w->parts & CN_JOINT_MOTOR) {
 		block->speed[l] = j->p[CNI_P_MOTOR_SPEED];
-		block->torque[l] = j->p[CNI_P_MOTOR_MAX];
-		block->motor_j[l] = j->impulse[CNI_REVOLUTE_MOTOR];
+		block->most[l] = j->p[CNI_P_MOTOR_MAX];
+		block->motor_j[l] = j->impulse[cni_lane_slot(w) + 1];
 	}
 	block->lower[l] = -CNI_NO_LIMIT;
 	block->upper[l] = CNI_NO_LIMIT;
-	if (j->flags & CN_JOINT_LIMIT) {
+	if (w->parts & CN_JOINT_LIMIT) {
 		block->lower[l] = j->p[CNI_P_LOWER];
 		block->upper[l] = j->p[CNI_P_UPPER];
-		block->limit_j[l] = limit_sign(j, w->start.angle) * j->impulse[CNI_REVOLUTE_LIMIT];
+		block->limit_j[l] = limit_sign(j, block->measure[l]) * j->impulse[cni_lane_slot(w) + 2];
 	}
 }
 
-static void pin_fill(const cn_world *world, cni_joint_constraint *w, cni_joint_block *block, int32_t l)
+static void frame_fill(const cni_joint_constraint *w, cni_joint_block *block, int32_t l)
 {
-	const cni_joint *j = w->record;
-	block->ia[l] = w->ia;
-	block->ib[l] = w->ib;
-	block->ai[l] = cni_motions(world)[w->ia].inv_inertia;
-	block->bi[l] = cni_motions(world)[w->ib].inv_inertia;
+	cni_vec2 e = w->start.d;
 	block->ax0[l] = block->ax[l] = w->start.ra.x;
 	block->ay0[l] = block->ay[l] = w->start.ra.y;
 	block->bx0[l] = block->bx[l] = w->start.rb.x;
 	block->by0[l] = block->by[l] = w->start.rb.y;
-	block->dx0[l] = block->ex[l] = w->start.d.x;
-	block->dy0[l] = block->ey[l] = w->start.d.y;
-	if (w->flags & CNI_CONSTRAINT_DIRECT) {
-		block->direct |= 1u << l;
-		w->row_count = block->batch ? 0 : w->rigid_count; /* the lane has the angle's rows */
-		if (!block->batch)
-			return;
-	}
-	block->jx[l] = j->impulse[0];
-	block->jy[l] = j->impulse[1];
+	block->dx0[l] = w->start.d.x;
+	block->dy0[l] = w->start.d.y;
+	block->angle0[l] = block->measure[l] = w->start.angle;
+	if (w->form == CNI_FORM_DISTANCE)
+		e = cni_distance_axis(w->start.d, &block->measure[l]);
+	block->ex[l] = e.x;
+	block->ey[l] = e.y;
 }
 
 void cni_joint_lane_fill(cn_world *world, const cni_solve *s, cni_lane_spring *spring, int32_t k, cni_joint_block *block, int32_t l)
 {
 	cni_joint_constraint *w = cni_joint_constraints(world) + k;
-	block->constraint[l] = k;
+	const cni_joint *j = w->record;
 	w->lane = (int32_t)(block - cni_joint_blocks(world)) * CNI_LANES + l;
-	pin_fill(world, w, block, l);
-	angle_fill(spring, s->h, w, block, l);
+	w->row_count = 0; /* rows that may have been built for the direct solver are not used */
+	block->constraint[l] = k;
+	block->ia[l] = w->ia;
+	block->ib[l] = w->ib;
+	block->ai[l] = cni_motions(world)[w->ia].inv_inertia;
+	block->bi[l] = cni_motions(world)[w->ib].inv_inertia;
+	frame_fill(w, block, l);
+	if (w->form == CNI_FORM_PIN) {
+		block->jx[l] = j->impulse[0];
+		block->jy[l] = j->impulse[1];
+	}
+	parts_fill(spring, s, w, block, l);
 }
 
 int32_t cni_joint_fits_lane(const cn_world *world, const cni_solve *s, const cni_joint_constraint *w)
@@ -192,20 +228,21 @@ int32_t cni_joint_fits_lane(const cn_world *world, const cni_solve *s, const cni
 }
 
 /* 0: there is no lane for it. */
-static int32_t lane_take(cn_world *world, const cni_solve *s, cni_lane_spring *spring, int32_t k)
+static int32_t lane_take(lane_builder *t, int32_t k)
 {
-	const cni_joint_constraint *w = cni_joint_constraints(world) + k;
-	int32_t color = cni_joint_fits_lane(world, s, w) ? cni_joint_color_take(world, w->ia, w->ib) : CNI_NONE, l;
+	cn_world *world = t->world;
+	cni_joint_constraint *w = cni_joint_constraints(world) + k;
+	int32_t color = cni_joint_fits_lane(world, t->s, w) ? color_take(world, w->ia, w->ib) : CNI_NONE, l;
 	cni_joint_block *block;
 	if (color == CNI_NONE)
 		return 0;
-	l = world->joint_colors[color].lanes++ % CNI_LANES;
-	block = l == 0 ? block_take(world, color) : cni_joint_blocks(world) + world->joint_colors[color].last;
+	block = block_open(t, color, w->form);
+	l = block->lanes++;
 	block->moves_a |= (uint32_t)cni_motion_can_move(cni_motions(world) + w->ia) << l;
 	block->moves_b |= (uint32_t)cni_motion_can_move(cni_motions(world) + w->ib) << l;
-	cni_joint_lane_fill(world, s, spring, k, block, l);
-	cni_joint_constraints(world)[k].kept_lane = w->lane;
-	cni_joint_constraints(world)[k].kept_has = pin_has(w->record);
+	cni_joint_lane_fill(world, t->s, &t->spring, k, block, l);
+	w->kept_lane = w->lane;
+	w->kept_parts = w->parts;
 	return 1;
 }
 
@@ -226,11 +263,11 @@ static int32_t lane_fill_again(cn_world *world, const cni_solve *s, struct cni_l
 	const cni_joint_constraint *w = cni_joint_constraints(world) + k;
 	int32_t l = w->kept_lane % CNI_LANES;
 	cni_joint_block *block = cni_joint_blocks(world) + w->kept_lane / CNI_LANES;
-	if (block->ia[l] != w->ia || block->ib[l] != w->ib || w->kept_has != pin_has(w->record) || !cni_joint_fits_lane(world, s, w) ||
+	if (block->ia[l] != w->ia || block->ib[l] != w->ib || w->kept_parts != w->parts || block->form != w->form || !cni_joint_fits_lane(world, s, w) ||
 	    (int32_t)(block->moves_a >> l & 1u) != cni_motion_can_move(cni_motions(world) + w->ia) ||
 	    (int32_t)(block->moves_b >> l & 1u) != cni_motion_can_move(cni_motions(world) + w->ib))
 		return 0;
-	if (block->angular)
+	if (block->parts)
 		block->spring_j[l] = block->motor_j[l] = block->limit_j[l] = 0.0f;
 	cni_joint_lane_fill(world, s, &setup->spring, k, block, l);
 	setup->special |= is_locked(world, w->record->body[0]) || is_locked(world, w->record->body[1]) ||
@@ -246,7 +283,6 @@ void cni_joint_blocks_begin(cn_world *world)
 	if (kept->lanes != world->awake_joints.count || kept->works != world->joint_work.capacity || kept->blocks != world->joint_blocks.count)
 		kept->lanes = 0;
 	world->joint_blocks.count = 0;
-	cni_row_blocks_empty(world);
 }
 
 /* 1: every joint is in its lane of the last step. Directly solved joints would take their lanes first. */
@@ -284,13 +320,10 @@ static void lanes_empty(cn_world *world)
 	for (k = 0; k < world->awake_joints.count && world->joint_lanes.filled > 0; ++k)
 		if (!(cni_joint_constraints(world)[k].flags & CNI_CONSTRAINT_BATCHED))
 			cni_joint_constraints(world)[k].lane = CNI_NONE;
-	for (k = 0; k < CNI_JOINT_COLORS; ++k) {
-		world->joint_colors[k].first = world->joint_colors[k].last = CNI_NONE;
-		world->joint_colors[k].lanes = 0;
-	}
+	memset(world->joint_blocks_of, 0, sizeof world->joint_blocks_of);
 }
 
-/* left: number of joints without a pin's lane. */
+/* left: number of joints without a lane. */
 static void lanes_keep(cn_world *world, const cni_solve *s, int32_t left)
 {
 	cni_lanes_kept *kept = &world->joint_lanes;
@@ -304,93 +337,43 @@ int32_t cni_joint_constraint_widen(cn_world *world, const cni_solve *s, struct c
 {
 	cni_joint_constraint *w = cni_joint_constraints(world) + k;
 	const cni_joint *j = cni_joint_at(world, ((const int32_t *)world->awake_joints.data)[k]);
-	if (!may_use_lane(world, j))
+	if (form_of(j) == CNI_FORM_NONE || !may_use_lane(world, j))
 		return 0;
-	if (j->type != CN_JOINT_REVOLUTE)
-		return form_begin(world, k, j, cni_joint_form(j));
 	cni_joint_constraint_begin(world, k, j);
-	w->flags |= CNI_CONSTRAINT_WIDE;
+	w->form = form_of(j);
+	w->parts = parts_of(j);
 	w->row_count = 0;
-	w->rigid_count = 2;
-	if (w->record->flags & (CN_JOINT_SPRING | CN_JOINT_LIMIT))
-		w->start.angle = cni_joint_frame_angle(world, w->record);
+	w->rigid_count = (w->form == CNI_FORM_PIN ? 2 : 0) + ((w->parts & CNI_PART_HELD) != 0);
+	if (w->form == CNI_FORM_PIN && (w->parts & (CN_JOINT_SPRING | CN_JOINT_LIMIT)))
+		w->start.angle = cni_joint_frame_angle(world, j);
 	setup->kept = setup->kept && lane_fill_again(world, s, setup, k);
 	return 1;
 }
 
-/* Joints in one system with contacts are solved by rows: each of its passes begins by removing the effect of the impulses. */
-static void contact_joints_narrow(cn_world *world, const cni_solve *s)
-{
-	int32_t k, n;
-	for (k = 0; s->direct != NULL && k < s->direct->component_count; ++k) {
-		const cni_component *c = &s->direct->components[k];
-		for (n = c->begin; c->has_contacts && n < c->end; ++n)
-			if (s->direct->nodes[n].owner >= 0)
-				cni_joint_constraint_narrow(world, s, s->direct->nodes[n].owner);
-	}
-}
-
-/* Directly solved components take their lanes first and in the order of their nodes. So the colours, and with them the order of passes, are
-   equal in components of one topology class, and in batches. */
-static void components_gather(cn_world *world, const cni_solve *s, cni_lane_spring *spring)
-{
-	int32_t k;
-	for (k = 0; s->direct != NULL && k < s->direct->node_count; ++k) {
-		const uint32_t which = CNI_CONSTRAINT_WIDE | CNI_CONSTRAINT_DIRECT | CNI_CONSTRAINT_FINISHED | CNI_CONSTRAINT_BATCHED;
-		int32_t owner = s->direct->nodes[k].owner;
-		if (owner < 0 || (cni_joint_constraints(world)[owner].flags & which) != (CNI_CONSTRAINT_WIDE | CNI_CONSTRAINT_DIRECT))
-			continue; /* a contact, a joint solved by rows, or a finished one */
-		if (!lane_take(world, s, spring, owner))
-			cni_joint_constraint_narrow(world, s, owner);
-	}
-}
-
-/* Links joint constraints without a lane in order; left 0: all have one. */
-static void plain_link(cn_world *world, int32_t left)
-{
-	int32_t k, *plain = &world->joint_plain_first;
-	for (k = 0; left > 0 && k < world->awake_joints.count; ++k) {
-		cni_joint_constraint *w = cni_joint_constraints(world) + k;
-		if ((w->flags & CNI_CONSTRAINT_FINISHED) || w->lane != CNI_NONE || w->row_lane != CNI_NONE)
-			continue;
-		*plain = k;
-		plain = &w->next_plain;
-	}
-	*plain = CNI_NONE;
-}
-
-/* Lists each colour's blocks one after the other, so that workers can share them. */
-static void blocks_list(cn_world *world)
-{
-	cni_joint_block *blocks = cni_joint_blocks(world);
-	int32_t color, index, count = 0;
-	for (color = 0; color < CNI_JOINT_COLORS; ++color)
-		for (index = world->joint_colors[color].first; index != CNI_NONE; index = blocks[index].next)
-			blocks[count++].listed = index;
-}
-
-/* Returns the number of joints without a pin's lane. */
+/* Takes lanes for joints with a form that nothing else solves, and builds rows for those without a lane, which it links in order. Returns
+   the number of the latter. */
 static int32_t lanes_gather(cn_world *world, const cni_solve *s)
 {
-	cni_lane_spring spring = { 0.0f, 0.0f, { 0.0f, 0.0f, 1.0f } };
-	int32_t k, left = 0;
-	components_gather(world, s, &spring);
+	lane_builder t = { world, s, { 0.0f, 0.0f, { 0.0f, 0.0f, 1.0f } }, { { 0 } } };
+	int32_t k, left = 0, *plain = &world->joint_plain_first;
+	memset(t.open, -1, sizeof t.open); /* CNI_NONE */
 	for (k = 0; k < world->awake_joints.count; ++k) {
 		cni_joint_constraint *w = cni_joint_constraints(world) + k;
-		if ((w->flags & CNI_CONSTRAINT_FINISHED) || w->lane != CNI_NONE)
+		if (w->flags & (CNI_CONSTRAINT_FINISHED | CNI_CONSTRAINT_BATCHED))
 			continue;
-		if ((w->flags & CNI_CONSTRAINT_WIDE) && lane_take(world, s, &spring, k))
+		if (w->form != CNI_FORM_NONE && !(w->flags & CNI_CONSTRAINT_DIRECT) && lane_take(&t, k))
 			continue;
-		if (w->flags & CNI_CONSTRAINT_WIDE)
-			cni_joint_constraint_narrow(world, s, k);
+		cni_joint_rows_need(world, s, w);
+		*plain = k;
+		plain = &w->next_plain;
 		++left;
 	}
+	*plain = CNI_NONE;
 	return left;
 }
 
 void cni_joint_blocks_gather(cn_world *world, const cni_solve *s)
 {
-	int32_t left;
 	if (lanes_are_kept(world, s)) {
 		no_plan_record(world, s);
 		world->joint_blocks.count = world->joint_lanes.blocks;
@@ -398,138 +381,54 @@ void cni_joint_blocks_gather(cn_world *world, const cni_solve *s)
 		return;
 	}
 	world->joint_lanes.alone = 0;
-	contact_joints_narrow(world, s);
 	lanes_empty(world);
-	left = lanes_gather(world, s);
+	lanes_keep(world, s, lanes_gather(world, s));
 	blocks_list(world);
-	lanes_keep(world, s, left);
-	if (left > 0)
-		cni_row_lanes_gather(world, s);
-	plain_link(world, left);
-	if (s->direct != NULL)
-		s->direct->released = 0;
-}
-
-/* ---- directly solved pins ---- */
-
-/* The direct solver has released the joint within the step: the lane solves its pin from now on. */
-static void lane_release(cni_joint_block *block, int32_t l, cni_joint_constraint *w)
-{
-	block->jx[l] += w->rows[0].impulse;
-	block->jy[l] += w->rows[1].impulse;
-	w->rows[0].impulse = w->rows[1].impulse = 0.0f;
-	block->direct &= ~(1u << l);
-}
-
-static void released_check(cn_world *world, cni_joint_block *block)
-{
-	uint32_t bits;
-	for (bits = block->direct; bits != 0; bits &= bits - 1u) {
-		int32_t l = cni_bit_lowest32(bits);
-		cni_joint_constraint *w = cni_joint_constraints(world) + block->constraint[l];
-		if (!(w->flags & CNI_CONSTRAINT_DIRECT))
-			lane_release(block, l, w);
-	}
-}
-
-/* Moves the rows' impulses to the lanes while arms turn. */
-static void rows_to_lanes(cn_world *world, cni_joint_block *block)
-{
-	uint32_t bits;
-	released_check(world, block);
-	for (bits = block->direct; bits != 0; bits &= bits - 1u) {
-		int32_t l = cni_bit_lowest32(bits);
-		const cni_row *rows = cni_joint_constraints(world)[block->constraint[l]].rows;
-		block->jx[l] += rows[0].impulse;
-		block->jy[l] += rows[1].impulse;
-	}
-}
-
-/* Moves them back, and updates the rows at the new positions. */
-static void lanes_to_rows(cn_world *world, cni_joint_block *block)
-{
-	uint32_t bits;
-	for (bits = block->direct; bits != 0; bits &= bits - 1u) {
-		int32_t l = cni_bit_lowest32(bits);
-		cni_row *rows = cni_joint_constraints(world)[block->constraint[l]].rows;
-		rows[0].impulse = block->jx[l];
-		rows[1].impulse = block->jy[l];
-		block->jx[l] = block->jy[l] = 0.0f;
-		cni_rows_point_turn(rows, cni_v(block->ax[l], block->ay[l]), cni_v(block->bx[l], block->by[l]), cni_v(block->ex[l], block->ey[l]));
-	}
 }
 
 /* ---- passes ---- */
 
-/* A pass over the blocks of one colour, which share no written body and no joint constraint. Pins come first. */
+/* A pass over the blocks of one colour, which share no written body and no joint constraint. */
 typedef struct color_pass {
 	cn_world *world;
 	cni_joint_pass pass;
 	cni_joint_kernel_fn *run;
-	cni_row_kernel_fn *run_rows;
-	int32_t moving;   /* 1: in passes at new positions and in the warm start */
-	int32_t released; /* 1: some directly solved lane may have been released */
-	int32_t lanes;
-	int32_t first, blocks;         /* first block of the colour in the list, and number of its blocks */
-	int32_t first_rows;            /* first block of rows */
+	int32_t first; /* first block of the colour in the list */
 } color_pass;
-
-/* 1: the direct solver solves all pins of the block, and it has no springs, motors or limits. */
-static int32_t nothing_is_left(const cni_joint_block *block, int32_t lanes)
-{
-	return block->angular == 0 && block->direct == (1u << lanes) - 1u;
-}
 
 static void color_pass_run(void *context, int32_t begin, int32_t end, int32_t worker)
 {
 	const color_pass *c = (const color_pass *)context;
-	cn_world *world = c->world;
+	cni_joint_block *blocks = cni_joint_blocks(c->world);
 	int32_t k;
 	(void)worker;
-	for (k = begin; k < end && k < c->blocks; ++k) {
-		cni_joint_block *block = cni_joint_blocks(world) + cni_joint_blocks(world)[c->first + k].listed;
-		int32_t lanes = cni_min_i(c->lanes - k * CNI_LANES, CNI_LANES);
-		if (block->direct != 0 && c->moving)
-			rows_to_lanes(world, block);
-		else if (block->direct != 0 && c->released)
-			released_check(world, block);
-		if (!c->moving && nothing_is_left(block, lanes))
-			continue;
-		c->run(cni_motions(world), cni_starts(world), block, &c->pass, lanes);
-		if (block->direct != 0 && c->moving)
-			lanes_to_rows(world, block);
-	}
-	if (k < end)
-		cni_row_blocks_run(world, c->run_rows, &c->pass, c->first_rows + k - c->blocks, c->first_rows + end - c->blocks);
+	for (k = c->first + begin; k < c->first + end; ++k)
+		c->run(cni_motions(c->world), cni_starts(c->world), &blocks[blocks[k].listed], &c->pass);
 }
 
-static void colors_run(cn_world *world, const cni_solve *s, cni_joint_kernel_fn *run, cni_row_kernel_fn *run_rows, int32_t moving)
+static void colors_run(cn_world *world, const cni_solve *s, cni_joint_kernel_fn *run)
 {
-	color_pass c = { world, { s->h, s->inv_h, s->warm_scale, s->joint }, run, run_rows, moving, 0, 0, 0, 0, 0 };
+	color_pass c = { world, { s->h, s->inv_h, s->warm_scale, s->joint }, run, 0 };
 	int32_t color;
-	c.released = s->direct != NULL && s->direct->released > 0;
-	for (color = 0; color < CNI_JOINT_COLORS && world->joint_blocks.count + world->row_block_count > 0; ++color) {
-		c.lanes = world->joint_colors[color].lanes;
-		c.blocks = (c.lanes + CNI_LANES - 1) / CNI_LANES;
-		cni_team_for(s->team, c.blocks + world->row_blocks_of[color], BLOCKS_A_RANGE, color_pass_run, &c);
-		c.first += c.blocks;
-		c.first_rows += world->row_blocks_of[color];
+	for (color = 0; color < CNI_JOINT_COLORS && world->joint_blocks.count > 0; ++color) {
+		cni_team_for(s->team, world->joint_blocks_of[color], BLOCKS_A_RANGE, color_pass_run, &c);
+		c.first += world->joint_blocks_of[color];
 	}
 }
 
 void cni_joint_blocks_warm(cn_world *world, const cni_solve *s)
 {
-	colors_run(world, s, s->joint_kernel->warm, s->joint_kernel->rows_warm, 1);
+	colors_run(world, s, s->joint_kernel->warm);
 }
 
 void cni_joint_blocks_solve(cn_world *world, const cni_solve *s)
 {
-	colors_run(world, s, s->joint_kernel->solve, s->joint_kernel->rows_solve, 0);
+	colors_run(world, s, s->joint_kernel->solve);
 }
 
 void cni_joint_blocks_relax(cn_world *world, const cni_solve *s)
 {
-	colors_run(world, s, s->joint_kernel->relax, s->joint_kernel->rows_relax, 1);
+	colors_run(world, s, s->joint_kernel->relax);
 }
 
 /* ---- storing ---- */
@@ -539,12 +438,18 @@ static void lane_store(cn_world *world, const cni_joint_constraint *w, const cni
 	const cni_joint_block *block = cni_joint_block_of(world, w);
 	int32_t l = w->lane % CNI_LANES;
 	cni_joint *j = cni_joint_at(world, w->joint);
-	int32_t has_rows = (block->direct >> l & 1u) && !block->batch;
-	j->impulse[0] = block->jx[l] + (has_rows ? w->rows[0].impulse : 0.0f);
-	j->impulse[1] = block->jy[l] + (has_rows ? w->rows[1].impulse : 0.0f);
-	j->impulse[CNI_REVOLUTE_SPRING] = block->spring_j[l];
-	j->impulse[CNI_REVOLUTE_MOTOR] = block->motor_j[l];
-	j->impulse[CNI_REVOLUTE_LIMIT] = (j->flags & CN_JOINT_LIMIT) ? cni_max(limit_sign(j, block->angle[l]) * block->limit_j[l], 0.0f) : 0.0f;
+	int32_t first = cni_lane_slot(w);
+	memset(j->impulse, 0, sizeof j->impulse);
+	if (w->form == CNI_FORM_PIN) {
+		j->impulse[0] = block->jx[l];
+		j->impulse[1] = block->jy[l];
+	}
+	if (w->parts != 0) {
+		j->impulse[cni_lane_spring_slot(w)] = block->spring_j[l];
+		j->impulse[first + 1] = block->motor_j[l];
+	}
+	if (w->parts & CN_JOINT_LIMIT)
+		j->impulse[first + 2] = cni_max(limit_sign(j, block->measure[l]) * block->limit_j[l], 0.0f);
 	j->inv_h = s->inv_h;
 	cni_joint_keep_finite(j);
 }

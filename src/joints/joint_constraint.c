@@ -12,7 +12,6 @@
  *
  * Reads records and motion; writes joint constraints, start, the records' impulses.
  */
-#include "joints/joint_rows.h"
 #include "joints/joint_constraint.h"
 #include "joints/joint_row.h"
 
@@ -135,7 +134,7 @@ static int32_t rows_together(const cni_row *rows, int32_t count)
 }
 
 /* The rows stay the same in the same order during a step: the first build sets rigid_count. */
-void cni_joint_constraint_build(cni_joint_constraint *w, const cni_motion *a, const cni_motion *b)
+static void rows_build(cni_joint_constraint *w, const cni_motion *a, const cni_motion *b)
 {
 	cni_joint_frame f = constraint_frame(w, a, b);
 	int32_t k;
@@ -191,7 +190,7 @@ static void impulses_recouple(const cn_world *world, const cni_joint_constraint 
 	cni_row rows[CNI_JOINT_ROWS];
 	float share[CNI_JOINT_RIGID_ROWS];
 	int32_t i, k;
-	if ((w->flags & CNI_CONSTRAINT_WIDE) || !constraint_is_decoupled(w))
+	if (!constraint_is_decoupled(w))
 		return;
 	f = constraint_frame(w, a, b);
 	w->make_rows(w->record, &f, rows);
@@ -244,7 +243,7 @@ void cni_joint_constraint_begin(cn_world *world, int32_t k, const cni_joint *j)
 	w->numbers = cni_joint_numbers_of(world, k);
 	w->rows = w->numbers->rows;
 	w->joint = ((const int32_t *)world->awake_joints.data)[k];
-	w->lane = w->row_lane = CNI_NONE;
+	w->lane = CNI_NONE;
 	w->form = CNI_FORM_NONE;
 	w->active_row = 0;
 	w->ia = j->body[0] == CNI_NONE ? 0 : cni_body_at(world, j->body[0])->awake;
@@ -259,7 +258,7 @@ void cni_joint_rows_begin(cn_world *world, const cni_solve *s, cni_joint_constra
 	float impulse[CNI_JOINT_ROWS];
 	int32_t r;
 	w->rigid_count = -1;
-	cni_joint_constraint_build(w, cni_motions(world) + w->ia, cni_motions(world) + w->ib);
+	rows_build(w, cni_motions(world) + w->ia, cni_motions(world) + w->ib);
 	constraint_soften(w, j, s);
 	if (w->flags & CNI_CONSTRAINT_BOUNDED) {
 		w->numbers->force_max = j->force_max > 0.0f ? j->force_max : FLT_MAX;
@@ -272,6 +271,12 @@ void cni_joint_rows_begin(cn_world *world, const cni_solve *s, cni_joint_constra
 	impulses_recouple(world, w, -1.0f, impulse);
 	for (r = 0; r < w->row_count; ++r)
 		w->rows[r].impulse = impulse[r];
+}
+
+void cni_joint_rows_need(cn_world *world, const cni_solve *s, cni_joint_constraint *w)
+{
+	if (w->form != CNI_FORM_NONE && w->row_count == 0)
+		cni_joint_rows_begin(world, s, w);
 }
 
 void cni_joint_constraint_prepare(cn_world *world, const cni_solve *s, int32_t k)
@@ -303,7 +308,19 @@ static int32_t row_turned_back(const cni_row *r, const cni_row *old)
 	return r->bx * old->bx + r->by * old->by + r->bw * old->bw + r->ax * old->ax + r->ay * old->ay + r->aw * old->aw < 0.0f;
 }
 
-void cni_joint_rows_renew(cn_world *world, cni_joint_constraint *w)
+/* A directly solved pin without other rows. Its inverse, which nothing reads while it is, stays that of the step's beginning. */
+static void pin_renew(cn_world *world, cni_joint_constraint *w)
+{
+	const cni_motion *a = cni_motions(world) + w->ia, *b = cni_motions(world) + w->ib;
+	cni_vec2 ra = cni_rotate(cni_rot_small(a->theta), w->start.ra), rb = cni_rotate(cni_rot_small(b->theta), w->start.rb);
+	cni_row *x = w->rows, *y = w->rows + 1;
+	float turn_a = x->aw * x->impulse + y->aw * y->impulse, turn_b = x->bw * x->impulse + y->bw * y->impulse;
+	cni_rows_point_turn(w->rows, ra, rb, constraint_gap(w, a, b, ra, rb));
+	cni_starts(world)[w->ia].w -= a->inv_inertia * (x->aw * x->impulse + y->aw * y->impulse - turn_a);
+	cni_starts(world)[w->ib].w -= b->inv_inertia * (x->bw * x->impulse + y->bw * y->impulse - turn_b);
+}
+
+static void rows_renew(cn_world *world, cni_joint_constraint *w)
 {
 	cni_motion *a = cni_motions(world) + w->ia, *b = cni_motions(world) + w->ib;
 	cni_motion change_a = *a, change_b = *b;
@@ -312,7 +329,7 @@ void cni_joint_rows_renew(cn_world *world, cni_joint_constraint *w)
 	int32_t k;
 	for (k = 0; k < w->row_count; ++k)
 		old[k] = w->rows[k];
-	cni_joint_constraint_build(w, a, b);
+	rows_build(w, a, b);
 	change_a.vx = change_a.vy = change_a.w = 0.0f;
 	change_b.vx = change_b.vy = change_b.w = 0.0f;
 	for (k = 0; k < w->row_count; ++k) {
@@ -329,6 +346,14 @@ void cni_joint_rows_renew(cn_world *world, cni_joint_constraint *w)
 	sb->vx -= change_b.vx;
 	sb->vy -= change_b.vy;
 	sb->w -= change_b.w;
+}
+
+void cni_joint_rows_renew(cn_world *world, cni_joint_constraint *w)
+{
+	if (w->make_rows == cni_joint_revolute.rows && w->row_count == 2 && (w->flags & CNI_CONSTRAINT_DIRECT))
+		pin_renew(world, w);
+	else
+		rows_renew(world, w);
 }
 
 void cni_joint_constraint_stress(cni_joint_constraint *w, const cni_motion *b, float inv_h)

@@ -16,11 +16,14 @@ enum {
 	CNI_CONSTRAINT_TURNS = 1u << 4,     /* counts whole turns */
 	CNI_CONSTRAINT_DIRECT = 1u << 5,    /* its rigid rows are solved with its neighbours': direct/direct_joints.c */
 	CNI_CONSTRAINT_FINISHED = 1u << 6,     /* its whole step is done: direct/rattle.c */
-	CNI_CONSTRAINT_WIDE = 1u << 7,      /* in a lane unless finished: joints/joint_blocks.c; its rows are written only for the direct
-	                                       solver, with all impulses of the record */
-	CNI_CONSTRAINT_FRESH = 1u << 8,     /* this is its first step */
-	CNI_CONSTRAINT_BATCHED = 1u << 9       /* in a lane of a batch, with its pin: direct/batched_trees.c */
+	CNI_CONSTRAINT_FRESH = 1u << 7,     /* this is its first step */
+	CNI_CONSTRAINT_BATCHED = 1u << 8       /* in a lane of a batch, with its pin: direct/batched_trees.c */
 };
+
+/* Forms of lanes: joints/joint_pass.h. */
+enum { CNI_FORM_NONE = 0, CNI_FORM_PIN, CNI_FORM_DISTANCE, CNI_FORMS };
+/* Of the parts of a lane, beside CN_JOINT_SPRING, _MOTOR and _LIMIT: its angle or length is rigid. */
+#define CNI_PART_HELD (1u << 31)
 
 /* Data of joints that are solved by rows, alone or with others; most joints are in lanes and never read it. */
 typedef struct cni_joint_numbers {
@@ -46,12 +49,12 @@ typedef struct cni_joint_constraint {
 	int32_t rigid_count;       /* the first rows: rigid or drive */
 	int32_t next_plain;        /* the next joint constraint that is solved by rows */
 	int32_t active_row;        /* index of the motor or limit row that is solved with the rigid rows: direct/active_rows.c; 0: none */
-	int32_t lane;              /* block * CNI_LANES + lane of a pin, CNI_NONE: solved by rows alone */
-	int32_t form;              /* CNI_FORM_*, 0: none. Rows are built only if it is solved directly or gets no lane: joints/joint_rows.h */
-	int32_t row_lane;          /* ... block * CNI_LANES + lane of the block of rows, CNI_NONE */
+	int32_t lane;              /* block * CNI_LANES + lane, CNI_NONE: solved by rows */
+	int32_t form;              /* CNI_FORM_*; with one, rows are built only if it is solved directly or gets no lane */
 	cni_joint_frame start;     /* at the beginning of the step */
+	uint32_t parts;            /* with a form: CN_JOINT_SPRING, _MOTOR, _LIMIT, CNI_PART_HELD */
+	uint32_t kept_parts;       /* ... in the last step */
 	int32_t kept_lane;         /* lane of the last step */
-	uint32_t kept_has;         /* ... and the flags CN_JOINT_SPRING, _MOTOR, _LIMIT that it had there */
 } cni_joint_constraint;
 
 #define CNI_JOINT_CONSTRAINT_BYTES ((int32_t)(sizeof(cni_joint_constraint) + sizeof(cni_joint_numbers)))
@@ -129,14 +132,14 @@ void cni_joint_constraint_prepare(cn_world *world, const cni_solve *s, int32_t k
 void cni_joint_constraint_begin(cn_world *world, int32_t k, const cni_joint *j);
 /* ... then its rows, decoupled, with their impulses. */
 void cni_joint_rows_begin(cn_world *world, const cni_solve *s, cni_joint_constraint *w);
+/* The same if they have not been built yet. */
+void cni_joint_rows_need(cn_world *world, const cni_solve *s, cni_joint_constraint *w);
 /* At the end of a step: stores the rows' impulses, for the type's rows, in the record. */
 void cni_joint_rows_end(const cn_world *world, const cni_joint_constraint *w, cni_joint *j);
 /* Builds the rows at the bodies' new positions with their present impulses; the change of the impulses' response goes into start. */
 void cni_joint_rows_renew(cn_world *world, cni_joint_constraint *w);
 /* Inverse of the symmetric K of one to three rows, as numbers->inverse; a singular K has the inverse 0. */
 void cni_rows_invert(const cni_row *r, int32_t count, const cni_motion *a, const cni_motion *b, float *inv);
-/* Builds all rows at the bodies' present positions and leaves impulses undefined. */
-void cni_joint_constraint_build(cni_joint_constraint *w, const cni_motion *a, const cni_motion *b);
 /* The type's rows without decoupling, for joints whose rows were built in this step and whose other rows are limits that cannot act;
    turns: rotations by the motions' theta. Leaves impulses undefined, and the other rows of pins as they were. */
 void cni_joint_constraint_rows(cni_joint_constraint *w, const cni_motion *motions, const cni_rot *turns);
@@ -144,9 +147,8 @@ void cni_joint_constraint_rows(cni_joint_constraint *w, const cni_motion *motion
 void cni_joint_constraint_ahead(const cni_joint_constraint *w, const cni_motion *motions, float h, float *errors);
 /* All rows of a joint with their impulses in this substep, for every solver path; springy joints' rows are soft. row.slot: index of the
    record's impulse, which is that of the step's beginning. joints/joint_impulse.c */
-#define CNI_PIN_LANE_ROWS 5
 typedef struct cni_joint_impulses {
-	cni_row rows[CNI_JOINT_ROWS + CNI_PIN_LANE_ROWS];
+	cni_row rows[CNI_JOINT_ROWS]; /* a lane has five */
 	int32_t count;
 } cni_joint_impulses;
 void cni_joint_impulses_read(const cn_world *world, const cni_joint_constraint *w, cni_joint_impulses *out);
@@ -161,16 +163,11 @@ void cni_joint_constraint_stress(cni_joint_constraint *w, const cni_motion *b, f
 
 /* ---- joints in lanes: joints/joint_blocks.c ---- */
 
-/* Takes a joint constraint off the lane path and builds its rows; one that is already solved by rows is unchanged. */
-void cni_joint_constraint_narrow(cn_world *world, const cni_solve *s, int32_t k);
-
 struct cni_lane_setup; /* joints/joint_pass.h */
 /* Sets up joint constraint k at the beginning of a step if it can be solved in a lane, and fills its lane of the last step if that is kept;
    0: it cannot. Workers may call this for different k at once. */
 int32_t cni_joint_constraint_widen(cn_world *world, const cni_solve *s, struct cni_lane_setup *setup, int32_t k);
 /* 1: all joints are in their lanes of the last step, in which nothing was solved directly; so planning can be skipped. */
 int32_t cni_joint_lanes_need_no_plan(const cn_world *world);
-/* Builds the rows of a component's lane joints, with the impulses of their records. */
-void cni_joint_constraints_complete(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
 
 #endif

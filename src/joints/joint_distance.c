@@ -3,16 +3,14 @@
  *
  * p: length, min, max, motor speed, motor force max, hertz, damping ratio.
  * Impulse slots: 0 rod; 1 spring; 2 motor; 3 limit.
+ * joints/joint_kernel.h has the same formulas without rows.
  */
 #include "joints/joint_row.h"
 
-/* d/dt |d| = axis . (vb + wb x rb - va - wa x ra); coinciding points take an arbitrary fixed axis. */
+/* d/dt |d| = axis . (vb + wb x rb - va - wa x ra) */
 static cni_row axis_row(const cni_joint_frame *f, uint8_t kind, uint8_t slot, float sign, float *out_length)
 {
-	float length = cni_length(f->d);
-	cni_vec2 axis = length > 1e-9f ? cni_mul(1.0f / length, f->d) : cni_v(1.0f, 0.0f);
-	*out_length = length;
-	return cni_row_along(f, axis, f->ra, kind, slot, sign);
+	return cni_row_along(f, cni_distance_axis(f->d, out_length), f->ra, kind, slot, sign);
 }
 
 static int32_t distance_rows(const cni_joint *j, const cni_joint_frame *f, cni_row *rows)

@@ -3,6 +3,7 @@
  *
  * p: reference, hertz and damping ratio of the angle alone (0 Hz: as stiff as the point).
  * Impulse slots: 0, 1 point (x, y); 2 angle.
+ * joints/joint_kernel.h has the same formulas without rows.
  */
 #include "joints/joint_row.h"
 

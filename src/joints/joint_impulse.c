@@ -1,6 +1,6 @@
 /*
- * joints/joint_impulse.c - the impulses of a joint in the present substep, for every solver path: rows of its own, a lane of rows, a pin in
- * a lane, or the direct solver.
+ * joints/joint_impulse.c - the impulses of a joint in the present substep, for every solver path: rows of its own, a lane, or the
+ * direct solver.
  *
  * Reads and writes joint constraints and their lanes.
  */
@@ -31,47 +31,62 @@ static float limit_side(const cni_joint_block *k, int32_t l)
 	return k->limit_j[l] < 0.0f ? -1.0f : 1.0f;
 }
 
+/* Rows of a lane: of its point, then of its measure. */
+static int32_t lane_read(const cn_world *world, const cni_joint_constraint *w, cni_row *r)
+{
+	const cni_joint_block *k = cni_joint_block_of(world, w);
+	uint8_t slot = (uint8_t)cni_lane_slot(w);
+	uint8_t kind = w->parts & CNI_PART_HELD ? CNI_ROW_RIGID : w->record->type == CN_JOINT_FIXED ? CNI_ROW_SOFT : CNI_ROW_SPRING;
+	int32_t l = w->lane % CNI_LANES, count = 0;
+	float x = 0.0f, y = 0.0f, turn = 1.0f, side = limit_side(k, l);
+	if (w->form == CNI_FORM_PIN) {
+		r[count++] = lane_row(k, l, 1.0f, 0.0f, 0.0f, CNI_ROW_RIGID, 0, k->jx[l]);
+		r[count++] = lane_row(k, l, 0.0f, 1.0f, 0.0f, CNI_ROW_RIGID, 1, k->jy[l]);
+	} else {
+		x = k->ex[l];
+		y = k->ey[l];
+		turn = 0.0f;
+	}
+	r[count++] = lane_row(k, l, x, y, turn, kind, (uint8_t)cni_lane_spring_slot(w), k->spring_j[l]);
+	r[count++] = lane_row(k, l, x, y, turn, CNI_ROW_MOTOR, (uint8_t)(slot + 1), k->motor_j[l]);
+	r[count++] = lane_row(k, l, side * x, side * y, side * turn, CNI_ROW_LIMIT, (uint8_t)(slot + 2), cni_abs(k->limit_j[l]));
+	return count;
+}
+
+static void lane_write(const cn_world *world, const cni_joint_constraint *w, const cni_row *r)
+{
+	cni_joint_block *k = cni_joint_block_of(world, w);
+	int32_t l = w->lane % CNI_LANES;
+	if (w->form == CNI_FORM_PIN) {
+		k->jx[l] = r++->impulse;
+		k->jy[l] = r++->impulse;
+	}
+	k->spring_j[l] = r[0].impulse;
+	k->motor_j[l] = r[1].impulse;
+	k->limit_j[l] = limit_side(k, l) * r[2].impulse;
+}
+
 void cni_joint_impulses_read(const cn_world *world, const cni_joint_constraint *w, cni_joint_impulses *out)
 {
-	cni_row *r = out->rows;
 	int32_t k;
-	if (w->row_lane != CNI_NONE)
-		r += cni_row_lane_read(world, w, r);
-	else
-		for (k = 0; k < w->row_count; ++k)
-			*r++ = w->rows[k];
-	if (w->flags & CNI_CONSTRAINT_SPRINGY)
-		for (k = 0; k < (int32_t)(r - out->rows); ++k)
-			out->rows[k].kind = CNI_ROW_SOFT;
 	if (w->lane != CNI_NONE) {
-		const cni_joint_block *block = cni_joint_block_of(world, w);
-		int32_t l = w->lane % CNI_LANES;
-		*r++ = lane_row(block, l, 1.0f, 0.0f, 0.0f, CNI_ROW_RIGID, 0, block->jx[l]);
-		*r++ = lane_row(block, l, 0.0f, 1.0f, 0.0f, CNI_ROW_RIGID, 1, block->jy[l]);
-		*r++ = lane_row(block, l, 0.0f, 0.0f, 1.0f, CNI_ROW_SPRING, CNI_REVOLUTE_SPRING, block->spring_j[l]);
-		*r++ = lane_row(block, l, 0.0f, 0.0f, 1.0f, CNI_ROW_MOTOR, CNI_REVOLUTE_MOTOR, block->motor_j[l]);
-		*r++ = lane_row(block, l, 0.0f, 0.0f, limit_side(block, l), CNI_ROW_LIMIT, CNI_REVOLUTE_LIMIT, cni_abs(block->limit_j[l]));
+		out->count = lane_read(world, w, out->rows);
+		return;
 	}
-	out->count = (int32_t)(r - out->rows);
+	out->count = w->row_count;
+	for (k = 0; k < w->row_count; ++k) {
+		out->rows[k] = w->rows[k];
+		if (w->flags & CNI_CONSTRAINT_SPRINGY)
+			out->rows[k].kind = CNI_ROW_SOFT;
+	}
 }
 
 void cni_joint_impulses_write(cn_world *world, cni_joint_constraint *w, const cni_joint_impulses *impulses)
 {
-	const cni_row *r = impulses->rows;
 	int32_t k;
-	if (w->row_lane != CNI_NONE)
-		cni_row_lane_write(world, w, r);
+	if (w->lane != CNI_NONE)
+		lane_write(world, w, impulses->rows);
 	else
 		for (k = 0; k < w->row_count; ++k)
-			w->rows[k].impulse = r[k].impulse;
-	if (w->lane != CNI_NONE) {
-		cni_joint_block *block = cni_joint_block_of(world, w);
-		int32_t l = w->lane % CNI_LANES;
-		r += impulses->count - CNI_PIN_LANE_ROWS;
-		block->jx[l] = r[0].impulse;
-		block->jy[l] = r[1].impulse;
-		block->spring_j[l] = r[2].impulse;
-		block->motor_j[l] = r[3].impulse;
-		block->limit_j[l] = limit_side(block, l) * r[4].impulse;
-	}
+			w->rows[k].impulse = impulses->rows[k].impulse;
 }

@@ -2,8 +2,7 @@
  * joints/joint_kernel.h - the joint kernel of one instruction set: included by the kernels that use it, which define CNI_WIDTH and
  * CNI_KERNEL (the name of the table they fill). Results do not depend on the width.
  *
- * This file has the formulas of revolute joints. joint_passes_kernel.h has their passes, joint_rows_kernel.h lanes of other joints' rows,
- * direct/batched_trees_kernel.h batches of trees of them.
+ * This file has the formulas of joints. joint_passes_kernel.h has their passes, direct/batched_trees_kernel.h batches of trees of pins.
  *
  * With the letters of joints/joint_pass.h, the pin's velocity is
  *   v = (vb + wb x rb) - (va + wa x ra)         K = sum of m + I^-1 terms, det K without cancellation:
@@ -11,8 +10,10 @@
  * A torque impulse t between the bodies is combined with the impulse s t at the pin, s = -K^-1 k, so that it does not change v. It then has
  * the true effective mass 1 / k_s, and the pin is solved at the same time.
  *
- * Arms turn once a substep, in the relax pass. Impulses already applied acted along the old arms: the resulting difference of the bodies'
- * angular velocity goes into start, which adds it to the next warm start.
+ * A distance has one velocity, along its axis; springs, motors, limits and held lanes act on it as on a pin's decoupled rotation.
+ *
+ * Arms and axes turn once a substep, in the relax pass. Impulses already applied acted along the old ones: the resulting difference of the
+ * bodies' velocities goes into start, which adds it to the next warm start.
  *
  * Reads motion and block rows; writes motion velocities, start, and arms, errors and impulses of the block.
  */
@@ -97,13 +98,13 @@ CNI_INLINE pin pin_make(const side *a, const side *b, const arms *r)
 	return p;
 }
 
-/* Rotation of b relative to a, decoupled from the pin. */
+/* What springs, motors and limits act on: rotation of b relative to a, decoupled from the pin, or motion along a distance's axis. */
 typedef struct hinge {
-	cni_wide sx, sy; /* s */
+	cni_wide sx, sy; /* s; the axis */
 	cni_wide k;      /* k_s */
 	cni_wide mass;
 	cni_wide w;      /* speed, updated with every impulse */
-	cni_wide t;      /* sum of torque impulses in this pass */
+	cni_wide t;      /* sum of impulses in this pass */
 } hinge;
 
 CNI_INLINE hinge hinge_make(const side *a, const side *b, const arms *r, const pin *p)
@@ -122,15 +123,33 @@ CNI_INLINE hinge hinge_make(const side *a, const side *b, const arms *r, const p
 	return g;
 }
 
+/* The axis is in e. */
+CNI_INLINE hinge axis_make(const cni_joint_block *k, int32_t l, const side *a, const side *b, const arms *r)
+{
+	const cni_wide zero = cni_wide_of(0.0f);
+	cni_wide aw, bw;
+	hinge g;
+	g.sx = cni_wide_load(k->ex + l);
+	g.sy = cni_wide_load(k->ey + l);
+	aw = r->ax * g.sy - r->ay * g.sx;
+	bw = r->bx * g.sy - r->by * g.sx;
+	g.k = a->m + b->m + a->i * (aw * aw) + b->i * (bw * bw);
+	g.mass = cni_wide_select(g.k > zero, 1.0f / g.k, zero);
+	g.w = g.sx * (b->vx - a->vx) + g.sy * (b->vy - a->vy) + (bw * b->w - aw * a->w);
+	g.t = zero;
+	return g;
+}
+
 CNI_INLINE void hinge_turn(hinge *g, cni_wide dj)
 {
 	g->w += g->k * dj;
 	g->t += dj;
 }
 
-CNI_INLINE void solve_spring(cni_joint_block *k, int32_t l, hinge *g)
+/* gap: the pin's share of a decoupled error, for held lanes. */
+CNI_INLINE void solve_spring(cni_joint_block *k, int32_t l, hinge *g, cni_wide gap)
 {
-	cni_wide old = cni_wide_load(k->spring_j + l), error = cni_wide_load(k->angle + l) - cni_wide_load(k->rest + l);
+	cni_wide old = cni_wide_load(k->spring_j + l), error = cni_wide_load(k->measure + l) - cni_wide_load(k->rest + l) + gap;
 	cni_wide want = cni_wide_load(k->spring_mass + l) * g->w + cni_wide_load(k->spring_bias + l) * error;
 	cni_wide dj = -(g->mass * want) - cni_wide_load(k->spring_impulse_scale + l) * old;
 	cni_wide_store(k->spring_j + l, old + dj);
@@ -147,7 +166,7 @@ CNI_INLINE cni_wide motor_target(cni_wide speed, cni_wide below, cni_wide above,
 
 CNI_INLINE void solve_motor(cni_joint_block *k, int32_t l, hinge *g, const cni_joint_pass *pass, int32_t bias)
 {
-	cni_wide old = cni_wide_load(k->motor_j + l), most = cni_wide_load(k->torque + l) * pass->h, angle = cni_wide_load(k->angle + l);
+	cni_wide old = cni_wide_load(k->motor_j + l), most = cni_wide_load(k->most + l) * pass->h, angle = cni_wide_load(k->measure + l);
 	cni_wide target = motor_target(cni_wide_load(k->speed + l), angle - cni_wide_load(k->lower + l), cni_wide_load(k->upper + l) - angle, pass, bias);
 	cni_wide impulse = cni_wide_min(cni_wide_max(old - g->mass * (g->w - target), -most), most);
 	cni_wide_store(k->motor_j + l, impulse);
@@ -168,7 +187,7 @@ CNI_INLINE cni_wide limit_impulse(cni_wide old, cni_wide room, cni_wide speed, c
 CNI_INLINE void solve_limits(cni_joint_block *k, int32_t l, hinge *g, const cni_joint_pass *pass, int32_t bias)
 {
 	const cni_wide zero = cni_wide_of(0.0f);
-	cni_wide old = cni_wide_load(k->limit_j + l), angle = cni_wide_load(k->angle + l);
+	cni_wide old = cni_wide_load(k->limit_j + l), angle = cni_wide_load(k->measure + l);
 	cni_wide old_lower = cni_wide_max(old, zero), old_upper = cni_wide_max(-old, zero), lower, upper;
 	lower = limit_impulse(old_lower, angle - cni_wide_load(k->lower + l), g->w, g->mass, pass, bias);
 	hinge_turn(g, lower - old_lower);
@@ -177,36 +196,61 @@ CNI_INLINE void solve_limits(cni_joint_block *k, int32_t l, hinge *g, const cni_
 	cni_wide_store(k->limit_j + l, lower - upper);
 }
 
-/* Sum of the torque impulses of spring, motor and limit. */
-CNI_INLINE cni_wide torque_of(const cni_joint_block *k, int32_t l)
+/* Sum of the impulses of spring, motor and limit. */
+CNI_INLINE cni_wide measure_impulse(const cni_joint_block *k, int32_t l)
 {
 	return cni_wide_load(k->spring_j + l) + cni_wide_load(k->motor_j + l) + cni_wide_load(k->limit_j + l);
 }
 
-/* Solves one vector of lanes: velocities and angular impulses, with arms and errors as they are. Returns the changes of the pins' impulses
-   in *dx and *dy. pins 0: all pins are solved directly. */
-CNI_INLINE void solve_group(cni_joint_block *k, int32_t l, side *a, side *b, const arms *r, const cni_joint_pass *pass, int32_t bias, int32_t angular, int32_t pins, cni_wide *dx, cni_wide *dy)
+/* Held lanes in a pass without bias. */
+CNI_INLINE void solve_held(cni_joint_block *k, int32_t l, hinge *g)
+{
+	cni_wide dj = cni_wide_select(cni_mask_of_bits(k->held >> l), -(g->mass * g->w), cni_wide_of(0.0f));
+	cni_wide_store(k->spring_j + l, cni_wide_load(k->spring_j + l) + dj);
+	hinge_turn(g, dj);
+}
+
+CNI_INLINE void solve_parts(cni_joint_block *k, int32_t l, hinge *g, cni_wide gap, const cni_joint_pass *pass, int32_t bias)
+{
+	if (bias && (k->parts & CN_JOINT_SPRING))
+		solve_spring(k, l, g, gap);
+	if (!bias && k->held != 0)
+		solve_held(k, l, g);
+	if (k->parts & CN_JOINT_MOTOR)
+		solve_motor(k, l, g, pass, bias);
+	if (k->parts & CN_JOINT_LIMIT)
+		solve_limits(k, l, g, pass, bias);
+}
+
+CNI_INLINE void solve_distance(cni_joint_block *k, int32_t l, side *a, side *b, const arms *r, const cni_joint_pass *pass, int32_t bias)
+{
+	hinge g = axis_make(k, l, a, b, r);
+	solve_parts(k, l, &g, cni_wide_of(0.0f), pass, bias);
+	push(a, b, r, g.sx * g.t, g.sy * g.t, cni_wide_of(0.0f));
+}
+
+/* Solves one vector of pins: velocities and angular impulses, with arms and errors as they are. Returns the changes of the pins' impulses in
+   *dx and *dy. direct: lanes, as bits from l on, whose pins are solved as a system. */
+CNI_INLINE void solve_group(cni_joint_block *k, int32_t l, side *a, side *b, const arms *r, const cni_joint_pass *pass, int32_t bias, int32_t angular, uint32_t direct, cni_wide *dx, cni_wide *dy)
 {
 	const cni_wide zero = cni_wide_of(0.0f);
-	cni_wide around_x = zero, around_y = zero, x, y, qx = zero, qy = zero, t = zero;
+	const int32_t pins = direct != ~0u;
+	cni_wide around_x = zero, around_y = zero, gap = zero, x, y, qx = zero, qy = zero, t = zero;
 	pin p = pin_make(a, b, r);
 	hinge g;
 	if (angular) {
 		g = hinge_make(a, b, r, &p);
-		if (bias) {
-			if (pins) {
-				cni_wide torque = torque_of(k, l);
-				around_x = g.sx * torque;
-				around_y = g.sy * torque;
-			}
-			solve_spring(k, l, &g);
+		if (bias && pins) {
+			cni_wide torque = measure_impulse(k, l);
+			around_x = g.sx * torque;
+			around_y = g.sy * torque;
 		}
-		solve_motor(k, l, &g, pass, bias);
-		solve_limits(k, l, &g, pass, bias);
+		if (bias && k->held != 0)
+			gap = cni_wide_select(cni_mask_of_bits(k->held >> l), g.sx * cni_wide_load(k->ex + l) + g.sy * cni_wide_load(k->ey + l), zero);
+		solve_parts(k, l, &g, gap, pass, bias);
 		t = g.t;
 	}
 	if (pins) {
-		cni_mask direct = cni_mask_of_bits(k->direct >> l);
 		if (bias) {
 			x = pass->soft.mass_scale * p.vx + pass->soft.bias_scale * cni_wide_load(k->ex + l);
 			y = pass->soft.mass_scale * p.vy + pass->soft.bias_scale * cni_wide_load(k->ey + l);
@@ -216,8 +260,10 @@ CNI_INLINE void solve_group(cni_joint_block *k, int32_t l, side *a, side *b, con
 			qx = -(p.i00 * p.vx + p.i01 * p.vy);
 			qy = -(p.i01 * p.vx + p.i11 * p.vy);
 		}
-		qx = cni_wide_select(direct, zero, qx);
-		qy = cni_wide_select(direct, zero, qy);
+		if (direct != 0) {
+			qx = cni_wide_select(cni_mask_of_bits(direct), zero, qx);
+			qy = cni_wide_select(cni_mask_of_bits(direct), zero, qy);
+		}
 	}
 	if (angular) {
 		qx += g.sx * t;
@@ -261,7 +307,7 @@ CNI_INLINE place place_gather(const cni_motion *motions, const int32_t *index)
 	return p;
 }
 
-/* Computes the new arms, and the pins' errors and angles at the new positions. */
+/* Computes the new arms, and the gaps of points and angles at the new positions. */
 CNI_INLINE arms arms_renew(const place *at_a, const place *at_b, cni_joint_block *k, int32_t l, int32_t angular)
 {
 	const place a = *at_a, b = *at_b;
@@ -271,7 +317,7 @@ CNI_INLINE arms arms_renew(const place *at_a, const place *at_b, cni_joint_block
 	cni_wide_store(k->ex + l, cni_wide_load(k->dx0 + l) + ((b.x - a.x) + (bx - ax)));
 	cni_wide_store(k->ey + l, cni_wide_load(k->dy0 + l) + ((b.y - a.y) + (by - ay)));
 	if (angular)
-		cni_wide_store(k->angle + l, cni_wide_load(k->angle0 + l) + (b.theta - a.theta));
+		cni_wide_store(k->measure + l, cni_wide_load(k->angle0 + l) + (b.theta - a.theta));
 	r.ax = ax0 + ax;
 	r.ay = ay0 + ay;
 	r.bx = bx0 + bx;
@@ -283,11 +329,12 @@ CNI_INLINE arms arms_renew(const place *at_a, const place *at_b, cni_joint_block
 	return r;
 }
 
-CNI_INLINE void start_turn(cni_velocity_start *starts, const int32_t *index, uint32_t moves, cni_wide spin)
+/* Subtracts these changes of velocities from the bodies' start. */
+CNI_INLINE void start_change(cni_velocity_start *starts, const int32_t *index, uint32_t moves, cni_wide x, cni_wide y, cni_wide spin)
 {
 	cni_wide vx, vy, w, jumped;
 	cni_wide_gather4((const float *)(const void *)starts, START_FLOATS, index, &vx, &vy, &w, &jumped);
-	moving_scatter((float *)(void *)starts, START_FLOATS, index, moves, vx, vy, w - spin, jumped);
+	moving_scatter((float *)(void *)starts, START_FLOATS, index, moves, vx - x, vy - y, w - spin, jumped);
 }
 
 CNI_INLINE cni_wide impulse_warm(float *impulse, float scale)
@@ -295,4 +342,9 @@ CNI_INLINE cni_wide impulse_warm(float *impulse, float scale)
 	cni_wide j = cni_wide_load(impulse) * scale;
 	cni_wide_store(impulse, j);
 	return j;
+}
+
+CNI_INLINE cni_wide measure_warm(cni_joint_block *k, int32_t l, float scale)
+{
+	return impulse_warm(k->spring_j + l, scale) + impulse_warm(k->motor_j + l, scale) + impulse_warm(k->limit_j + l, scale);
 }

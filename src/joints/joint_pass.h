@@ -1,24 +1,29 @@
 /*
- * joints/joint_pass.h - blocks of revolute joints, and the data that joint_blocks.c passes to a kernel.
+ * joints/joint_pass.h - blocks of joints, and the data that joint_blocks.c passes to a kernel.
  *
- * A block is 16 lanes, structure of arrays, filled anew in every step from revolute joints that nothing bounds, softens or breaks; the
+ * A block is 16 lanes of one form, structure of arrays, filled anew in every step from joints that nothing bounds, softens or breaks; the
  * assignment of joints to lanes may be kept (joints/joint_blocks.c). Colours are as of contacts: no movable body appears twice in one. When
  * the colours of a body are used up, its further joints are solved by the rows of joints/joint_solve.c.
  *
- *   pin       ra0 rb0 d0   arms and gap at the beginning of the step       ra rb e   as of the last relax pass
+ *   form        joints            point         measure, which springs, motors, limits and held lanes act on
+ *   pin         revolute, fixed   x and y       angle
+ *   distance    distance          -             length along the axis
+ *
+ *   point     ra0 rb0 d0   arms and gap at the beginning of the step       ra rb e   as of the last relax pass
  *             j            impulse on body b, all of it: including the pin impulses of springs, motors and limits
  *             induced      (batches) pin impulses of springs, motors and limits in the soft pass
- *   angle     angle0 angle as above; bounds and coefficients; impulses of spring, motor and limit, all
- *             as torques on body b (limit: > 0 the lower one's, < 0 the upper one's)
+ *   axis      ra rb as above; e: the axis, a unit vector from body a's point to body b's
+ *   measure   angle0 and measure as above; bounds and coefficients; impulses of spring, motor and limit, all on body b: torques, or forces
+ *             along the axis (limit: > 0 the lower one's, < 0 the upper one's)
+ *   held      (bits of lanes) the measure is rigid: the angle of a weld, the length of a rod. Its impulse is the spring's, with the
+ *             coefficients of rigid joints, and it is solved in the relax pass too
  *
- * A directly solved lane (bit in `direct`) has its pin solved by direct/direct_joints.c; the two rows of its joint constraint are kept up
- * to date, and the pin's impulse is the lane's plus the rows'. Blocks of a batch (direct/batched_trees.h) are in no colour and have no
- * rows: their pins' impulses are in the lanes.
+ * Blocks of a batch (direct/batched_trees.h) are in no colour; `direct` has the lanes whose pins the batch solves.
  */
 #ifndef CNI_JOINTS_JOINT_PASS_H
 #define CNI_JOINTS_JOINT_PASS_H
 
-#include "joints/joint_rows.h"
+#include "joints/joint_constraint.h"
 
 typedef struct cni_joint_block {
 	int32_t ia[CNI_LANES], ib[CNI_LANES];  /* dense body indices */
@@ -29,18 +34,17 @@ typedef struct cni_joint_block {
 	float ex[CNI_LANES], ey[CNI_LANES];
 	float jx[CNI_LANES], jy[CNI_LANES];
 	float induced_x[CNI_LANES], induced_y[CNI_LANES];
-	float angle0[CNI_LANES], angle[CNI_LANES];
+	float angle0[CNI_LANES], measure[CNI_LANES];
 	float rest[CNI_LANES], spring_mass[CNI_LANES], spring_bias[CNI_LANES], spring_impulse_scale[CNI_LANES], spring_j[CNI_LANES];
-	float speed[CNI_LANES], torque[CNI_LANES], motor_j[CNI_LANES];
+	float speed[CNI_LANES], most[CNI_LANES], motor_j[CNI_LANES];
 	float lower[CNI_LANES], upper[CNI_LANES], limit_j[CNI_LANES];
 	int32_t constraint[CNI_LANES];         /* index of the joint constraint */
-	uint32_t direct;                       /* lanes, as bits */
-	uint32_t angular;                      /* CN_JOINT_SPRING, _MOTOR, _LIMIT: some lane has one */
-	int32_t next;                          /* next block of the colour */
-	int32_t batch;                          /* 1: of a batch */
+	int32_t form, lanes, color;            /* color: CNI_NONE of a batch */
+	uint32_t direct, held;                 /* lanes, as bits */
+	uint32_t parts;                        /* CN_JOINT_SPRING, _MOTOR, _LIMIT: some lane has one */
 	uint32_t moves_a, moves_b;             /* lanes, as bits, whose body can move and is written */
 	int32_t listed;                        /* (of the n-th block) index of the n-th block of all colours in order */
-	int32_t reserved[9];
+	int32_t reserved[7];
 } cni_joint_block;
 
 /* Byte offset from a body's row of indices to its row of inverse inertias, on either side. */
@@ -52,18 +56,13 @@ typedef struct cni_joint_pass {
 	cni_soft soft;
 } cni_joint_pass;
 
-/* Works on the first lanes of the block, rounded up to whole vectors; the lanes behind are empty. */
-typedef void cni_joint_kernel_fn(cni_motion *motions, cni_velocity_start *starts, cni_joint_block *block, const cni_joint_pass *pass, int32_t lanes);
+/* Works on the block's lanes, rounded up to whole vectors; the lanes behind are empty. */
+typedef void cni_joint_kernel_fn(cni_motion *motions, cni_velocity_start *starts, cni_joint_block *block, const cni_joint_pass *pass);
 
 typedef struct cni_joint_kernel {
 	cni_joint_kernel_fn *warm;
 	cni_joint_kernel_fn *solve;
 	cni_joint_kernel_fn *relax;
-	cni_row_kernel_fn *rows_begin;  /* builds the first rows, and converts the records' impulses to decoupled rows */
-	cni_row_kernel_fn *rows_warm;
-	cni_row_kernel_fn *rows_solve;
-	cni_row_kernel_fn *rows_relax;
-	cni_row_kernel_fn *rows_finish; /* converts the impulses back to those of the type's rows */
 } cni_joint_kernel;
 
 extern const cni_joint_kernel cni_joint_kernel_plain; /* width 1: any compiler */
@@ -81,6 +80,17 @@ static inline cni_joint_block *cni_joint_block_of(const cn_world *world, const c
 	return cni_joint_blocks(world) + w->lane / CNI_LANES;
 }
 
+/* Indices of a lane's impulses in the joint's record: of its point 0 and 1, of its spring this one, of motor and limit those after
+   cni_lane_slot. */
+static inline int32_t cni_lane_slot(const cni_joint_constraint *w)
+{
+	return w->form == CNI_FORM_PIN ? 2 : 1;
+}
+static inline int32_t cni_lane_spring_slot(const cni_joint_constraint *w)
+{
+	return w->form == CNI_FORM_DISTANCE && (w->parts & CNI_PART_HELD) ? 0 : cni_lane_slot(w);
+}
+
 /* The widest that this build and this processor have. */
 const cni_joint_kernel *cni_joint_kernel_choose(void);
 
@@ -89,14 +99,13 @@ void cni_joint_blocks_begin(cn_world *world);
 void cni_joint_blocks_warm(cn_world *world, const cni_solve *s);
 void cni_joint_blocks_solve(cn_world *world, const cni_solve *s);
 void cni_joint_blocks_relax(cn_world *world, const cni_solve *s);
-/* Appends a cleared block without a colour. Returns its index. */
+/* Appends a cleared block of pins without a colour. Returns its index. */
 int32_t cni_joint_block_take(cn_world *world);
 /* The last spring and its coefficients: neighbouring joints often have equal springs. */
 typedef struct cni_lane_spring {
 	float hertz, damping_ratio;
 	cni_soft soft;
 } cni_lane_spring;
-cni_soft cni_lane_spring_soft(cni_lane_spring *spring, float hertz, float damping_ratio, float h);
 /* State of a loop that sets up joint constraints: joints/joint_blocks.c. */
 struct cni_lane_setup {
 	cni_lane_spring spring;
@@ -104,8 +113,6 @@ struct cni_lane_setup {
 	int32_t filled;  /* number of lanes filled again */
 	int32_t special; /* 1: some of them have bodies locked along an axis, or new joints */
 };
-/* Takes a colour that neither body uses yet and marks it as used; CNI_NONE: there is none. */
-int32_t cni_joint_color_take(cn_world *world, int32_t ia, int32_t ib);
 /* Fills an empty lane with joint constraint k. */
 void cni_joint_lane_fill(cn_world *world, const cni_solve *s, cni_lane_spring *spring, int32_t k, cni_joint_block *block, int32_t l);
 /* 1: both bodies are slow enough for the rotation series of lanes. */

@@ -37,6 +37,13 @@ static inline cni_row cni_row_along(const cni_joint_frame *f, cni_vec2 direction
 	return r;
 }
 
+/* From one point to the other, whose distance is d, and its length; coinciding points have an arbitrary fixed axis. */
+static inline cni_vec2 cni_distance_axis(cni_vec2 d, float *out_length)
+{
+	*out_length = cni_length(d);
+	return *out_length > 1e-9f ? cni_mul(1.0f / *out_length, d) : cni_v(1.0f, 0.0f);
+}
+
 /* A direction fixed in body a. */
 static inline cni_row cni_row_fixed_direction(const cni_joint_frame *f, cni_vec2 direction, uint8_t kind, uint8_t slot, float sign)
 {

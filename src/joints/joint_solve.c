@@ -1,6 +1,6 @@
 /*
  * joints/joint_solve.c - joints in the soft step: from rows (joints/joint_constraint.c) to impulses, for every type alike. Joints in lanes
- * are solved by joints/joint_blocks.c and joint_rows.c, with the same sums as here.
+ * are solved by joints/joint_blocks.c.
  *
  * Bounds on force and torque clamp the total impulse of the first rows: the vector of the linear ones and the angular one. When only one of
  * the two is clamped, the other is solved again with that impulse fixed (projected block Gauss-Seidel), so that a weld at its force limit
@@ -272,7 +272,7 @@ void cni_joints_store(cn_world *world, const cni_solve *s)
 	for (k = 0; k < world->awake_joints.count; ++k) {
 		cni_joint_constraint *w = cni_joint_constraints(world) + k;
 		cni_joint *j;
-		if ((w->flags & (CNI_CONSTRAINT_WIDE | CNI_CONSTRAINT_FINISHED)) == CNI_CONSTRAINT_WIDE || w->row_lane != CNI_NONE)
+		if (w->lane != CNI_NONE)
 			continue;
 		j = cni_joint_at(world, w->joint);
 		cni_joint_rows_end(world, w, j);
@@ -286,7 +286,6 @@ void cni_joints_store(cn_world *world, const cni_solve *s)
 		}
 	}
 	cni_joint_blocks_store(world, s);
-	cni_row_lanes_store(world, s);
 }
 
 /* ---- breaking ---- */

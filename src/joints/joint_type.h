@@ -3,8 +3,7 @@
  *
  * A type describes itself by rows: scalar constraints with a Jacobian, an error and bounds. Warm starting, soft and rigid solving,
  * reactions and error read-back work on rows and do not depend on the type, so a new joint is one file with one function that writes rows
- * and two that read it back. Most joints are revolute, and most of these are solved without rows: joints/joint_blocks.c. Some other types
- * are solved by rows in lanes: joints/joint_rows_kernel.h repeats their formulas.
+ * and two that read it back. Most revolute, fixed and distance joints are solved without rows: joints/joint_blocks.c.
  */
 #ifndef CNI_JOINTS_JOINT_TYPE_H
 #define CNI_JOINTS_JOINT_TYPE_H

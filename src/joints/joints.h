@@ -19,7 +19,5 @@ void cni_joints_stress(cn_world *world, const cni_solve *s);
 void cni_joints_store(cn_world *world, const cni_solve *s);
 /* After finalize: reports joints whose reaction was beyond their threshold, and destroys those that break. */
 void cni_joints_break(cn_world *world);
-/* Bound on the scratch memory of lanes of rows for this number of joints. */
-uint64_t cni_row_bytes(int32_t joints);
 
 #endif

@@ -131,7 +131,6 @@ typedef struct cni_sparse {
 	int32_t *bodies;              /* dense indices, by component */
 	int32_t body_count;
 	int32_t arena_entries;        /* entries of the arena before planning */
-	int32_t released;             /* components released to the soft solver since joint lanes were filled */
 	struct cni_tree_batch *batches;       /* direct/batched_trees.c */
 	int32_t batch_count;
 	struct cni_direct_contact *contacts;   /* direct contacts: the owner of contact i's node is -1 - i */

@@ -25,6 +25,12 @@ cn_velocity cni_body_velocity(const cn_world *world, const cni_body *b)
 	return v;
 }
 
+cni_vec2 cni_body_velocity_at(const cn_world *world, const cni_body *b, cni_vec2 point)
+{
+	cn_velocity v = cni_body_velocity(world, b);
+	return cni_madd(v.linear_mps, v.angular_radps, cni_left_perp(cni_body_arm(b, point)));
+}
+
 void cni_body_store_velocity(cn_world *world, cni_body *b, cn_velocity v)
 {
 	if (b->flags & CN_BODY_LOCK_X)

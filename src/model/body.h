@@ -174,12 +174,29 @@ static inline cn_pose cni_body_pose(const cni_body *b)
 	pose.sine = b->q.s;
 	return pose;
 }
+/* Lever arm from the centre of mass to a world point: high part first, then low, which keeps all digits far from the origin. */
+static inline cni_vec2 cni_body_arm(const cni_body *b, cni_vec2 point)
+{
+	return cni_sub(cni_sub(point, cni_v(b->cx, b->cy)), cni_v(b->cx_low, b->cy_low));
+}
+/* Points between the world and the body's frame, by the arm. */
+static inline cni_vec2 cni_body_to_local(const cni_body *b, cni_vec2 point)
+{
+	return cni_add(cni_unrotate(b->q, cni_body_arm(b, point)), b->local_center);
+}
+static inline cni_vec2 cni_body_to_world(const cni_body *b, cni_vec2 local)
+{
+	cni_vec2 r = cni_rotate(b->q, cni_sub(local, b->local_center));
+	return cni_v(b->cx + (r.x + b->cx_low), b->cy + (r.y + b->cy_low));
+}
 /* Vector from centre a to centre b, without losing digits far from the origin. */
 static inline cni_vec2 cni_body_a_to_b(const cni_body *a, const cni_body *b)
 {
 	return cni_v((b->cx - a->cx) + (b->cx_low - a->cx_low), (b->cy - a->cy) + (b->cy_low - a->cy_low));
 }
 cn_velocity cni_body_velocity(const cn_world *world, const cni_body *b);
+/* ... of its material at a world point. */
+cni_vec2 cni_body_velocity_at(const cn_world *world, const cni_body *b, cni_vec2 point);
 /* After the velocity was set from outside: the boxes are stretched along it before the next step. */
 void cni_body_kick(cn_world *world, int32_t body);
 /* The room, in metres; 0: unknown. Stored as the upper half of a float, which rounds down. */

@@ -98,7 +98,7 @@ typedef struct cni_block_anchor {
 
 /* Extra rows, which few contacts need, beside the block of the same index. */
 typedef struct cni_block_extra {
-	float tangent_speed[CNI_LANES];  /* target slip along t */
+	float tangent_speed[CNI_LANES];  /* target slip along t; the first four rows stay with a contact that sleeps */
 	float rolling[CNI_LANES];        /* lever arm in metres */
 	float rolling_mass[CNI_LANES];   /* 1 / (sum of inverse inertias) */
 	float rolling_impulse[CNI_LANES];
@@ -162,10 +162,11 @@ typedef struct cni_listed_block {
 
 /* A touching contact at rest: the rows of its lane, without ia and ib. */
 #define CNI_SLEEP_ROWS 22
+#define CNI_SLEEP_EXTRA_ROWS 4
 typedef struct cni_sleep_lane {
 	float rows[CNI_SLEEP_ROWS];
 	float restitution;
-	float tangent_speed, rolling, rolling_mass, rolling_impulse;
+	float extra[CNI_SLEEP_EXTRA_ROWS]; /* the first rows of cni_block_extra */
 	int32_t contact;
 } cni_sleep_lane;
 

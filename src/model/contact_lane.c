@@ -382,25 +382,21 @@ void cni_contact_sleep_lane_free(cn_world *world, cni_contact *c)
 
 static void extra_to_sleep(const cn_world *world, const cni_contact *c, cni_sleep_lane *s)
 {
-	const cni_block_extra *extra = cni_block_extra_at(world, c->slot / CNI_LANES);
-	int32_t l = c->slot % CNI_LANES;
-	s->tangent_speed = extra != NULL ? extra->tangent_speed[l] : 0.0f;
-	s->rolling = extra != NULL ? extra->rolling[l] : 0.0f;
-	s->rolling_mass = extra != NULL ? extra->rolling_mass[l] : 0.0f;
-	s->rolling_impulse = extra != NULL ? extra->rolling_impulse[l] : 0.0f;
+	const float *rows = (const float *)(const void *)cni_block_extra_at(world, c->slot / CNI_LANES);
+	int32_t row;
+	for (row = 0; row < CNI_SLEEP_EXTRA_ROWS; ++row)
+		s->extra[row] = rows != NULL ? rows[row * CNI_LANES + c->slot % CNI_LANES] : 0.0f;
 }
 
 static void sleep_to_extra(const cn_world *world, const cni_contact *c, const cni_sleep_lane *s)
 {
-	cni_block_extra *extra = cni_block_extra_at(world, c->slot / CNI_LANES);
-	int32_t l = c->slot % CNI_LANES;
-	if (extra == NULL)
+	float *rows = (float *)(void *)cni_block_extra_at(world, c->slot / CNI_LANES);
+	int32_t row;
+	if (rows == NULL)
 		return;
-	extra->tangent_speed[l] = s->tangent_speed;
-	extra->rolling[l] = s->rolling;
-	extra->rolling_mass[l] = s->rolling_mass;
-	extra->rolling_impulse[l] = s->rolling_impulse;
-	if (s->rolling > 0.0f || s->tangent_speed != 0.0f)
+	for (row = 0; row < CNI_SLEEP_EXTRA_ROWS; ++row)
+		rows[row * CNI_LANES + c->slot % CNI_LANES] = s->extra[row];
+	if (s->extra[0] != 0.0f || s->extra[1] > 0.0f) /* a conveyor, rolling resistance */
 		cni_block_info_at(world, c->slot / CNI_LANES)->flags |= CNI_BLOCK_EXTRA;
 }
 

@@ -40,12 +40,19 @@ int32_t cni_contact_find(const cn_world *world, int32_t proxy_a, int32_t proxy_b
 	return CNI_NONE;
 }
 
-float cni_contact_gap(const cn_world *world, const cni_contact *c)
+/* The place of the gap and the approach speed of a contact, NULL where both are 0. */
+static const cni_block_anchor *fresh_anchor(const cn_world *world, const cni_contact *c)
 {
 	int32_t block = c->slot / CNI_LANES, l = c->slot % CNI_LANES;
 	if ((c->flags & CNI_CONTACT_ASLEEP) || (cni_block_info_at(world, block)->anchored >> l & 1u))
-		return 0.0f;
-	return cni_block_anchor_at(world, block)->of.fresh.gap[l];
+		return NULL;
+	return cni_block_anchor_at(world, block);
+}
+
+float cni_contact_gap(const cn_world *world, const cni_contact *c)
+{
+	const cni_block_anchor *anchor = fresh_anchor(world, c);
+	return anchor != NULL ? anchor->of.fresh.gap[c->slot % CNI_LANES] : 0.0f;
 }
 
 static int32_t contact_has_shape(const cn_world *world, const cni_contact *c, int32_t shape)
@@ -74,10 +81,8 @@ int32_t cni_contact_next_of_shape(const cn_world *world, int32_t key, int32_t sh
 
 float cni_contact_approach(const cn_world *world, const cni_contact *c)
 {
-	int32_t block = c->slot / CNI_LANES, l = c->slot % CNI_LANES;
-	if ((c->flags & CNI_CONTACT_ASLEEP) || (cni_block_info_at(world, block)->anchored >> l & 1u))
-		return 0.0f;
-	return cni_block_anchor_at(world, block)->of.fresh.approach[l];
+	const cni_block_anchor *anchor = fresh_anchor(world, c);
+	return anchor != NULL ? anchor->of.fresh.approach[c->slot % CNI_LANES] : 0.0f;
 }
 
 void cni_contact_mark_sums(cn_world *world, const cni_contact *c)

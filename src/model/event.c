@@ -6,7 +6,8 @@
 
 #include <string.h>
 
-uint64_t cni_event_bytes(int32_t kind)
+/* Bytes of an event in the log of its kind. */
+static uint64_t event_bytes(int32_t kind)
 {
 	return kind == CN_EVENT_HIT ? sizeof(cn_contact_event) : kind == CN_EVENT_STAY ? sizeof(cni_event_stay) : sizeof(cni_event);
 }
@@ -16,7 +17,7 @@ void cni_events_init(cni_events *events)
 	int32_t kind;
 	memset(events, 0, sizeof *events);
 	for (kind = 0; kind < CN_EVENT_KINDS; ++kind) {
-		cni_array_init(&events->log[kind], (int32_t)cni_event_bytes(kind));
+		cni_array_init(&events->log[kind], (int32_t)event_bytes(kind));
 		cni_array_init(&events->pending[kind], (int32_t)sizeof(cni_event));
 		cni_array_init(&events->seen[kind], (int32_t)sizeof(cn_contact_event));
 	}
@@ -50,6 +51,14 @@ static void pending_to_log(cni_array *log, cni_array *pending)
 	*log = *pending;
 	*pending = old;
 	pending->count = 0;
+}
+
+void cni_events_forget_built(cni_events *events)
+{
+	int32_t kind;
+	for (kind = 0; kind < CN_EVENT_KINDS; ++kind)
+		events->built[kind] = events->seen[kind].count = 0;
+	events->moved_built = events->moved.count = 0;
 }
 
 void cni_events_begin_step(cni_events *events)

@@ -54,10 +54,10 @@ typedef struct cni_events {
 	int32_t reserved;
 } cni_events;
 
-/* Bytes of an event in the log of its kind. */
-uint64_t cni_event_bytes(int32_t kind);
 void cni_events_init(cni_events *events);
 void cni_events_deinit(cni_events *events, cni_memory *memory);
+/* The arrays that were built from the logs are void. */
+void cni_events_forget_built(cni_events *events);
 /* At the beginning of a step: pending logs become the logs, built arrays become invalid. */
 void cni_events_begin_step(cni_events *events);
 /* Logs a contact's event if the contact reports that kind; 0: no memory. */

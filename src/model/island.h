@@ -45,9 +45,6 @@ typedef struct cni_island {
 
 enum { CNI_TIER_SOFT = CN_TIER_SOFT, CNI_TIER_DIRECT = CN_TIER_DIRECT };
 
-cni_island *cni_island_at(const cn_world *world, int32_t island);
-/* Reserves records for the next extra links; 0: no memory. */
-int32_t cni_island_reserve(cn_world *world, int32_t extra);
 /* Joins the islands of two dynamic bodies; wakes the sleeping side if the other is awake. After cni_island_reserve(world, 1). */
 void cni_island_link(cn_world *world, int32_t body_a, int32_t body_b);
 /* Counts one removed link between the bodies. */

@@ -72,8 +72,7 @@ static void wake_island(cn_world *world, int32_t body)
 		wake_links_of(world, k);
 }
 
-/* A kinematic body that starts to move carries along the bodies that touch it. */
-static void wake_touching(cn_world *world, int32_t body)
+void cni_body_wake_neighbours(cn_world *world, int32_t body)
 {
 	int32_t key = cni_body_at(world, body)->contact_first;
 	for (; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
@@ -84,7 +83,7 @@ static void wake_touching(cn_world *world, int32_t body)
 	}
 	for (key = cni_body_at(world, body)->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1]) {
 		int32_t other = cni_joint_at(world, key >> 1)->body[1 - (key & 1)];
-		if (other != CNI_NONE && cni_body_at(world, other)->type == CN_BODY_DYNAMIC)
+		if (cni_is_dynamic(world, other))
 			cni_body_wake(world, other);
 	}
 }
@@ -97,13 +96,8 @@ void cni_body_wake(cn_world *world, int32_t body)
 	cni_body_restless(b);
 	if (b->awake == 0)
 		wake_island(world, body);
-	if (b->type == CN_BODY_KINEMATIC)
-		wake_touching(world, body);
-}
-
-void cni_body_wake_neighbours(cn_world *world, int32_t body)
-{
-	wake_touching(world, body);
+	if (b->type == CN_BODY_KINEMATIC) /* when it starts to move, it carries along the bodies that touch it */
+		cni_body_wake_neighbours(world, body);
 }
 
 #define WAKES_AT_ONCE 32

@@ -45,11 +45,6 @@ static int32_t side_is_awake(const cn_world *world, const cni_joint *j, int32_t 
 	return j->body[side] != CNI_NONE && cni_body_at(world, j->body[side])->awake != 0;
 }
 
-static int32_t side_is_dynamic(const cn_world *world, const cni_joint *j, int32_t side)
-{
-	return j->body[side] != CNI_NONE && cni_body_at(world, j->body[side])->type == CN_BODY_DYNAMIC;
-}
-
 /* Ends the contacts between two bodies that a joint now forbids. */
 static void end_contacts_between(cn_world *world, int32_t body_a, int32_t body_b)
 {
@@ -92,7 +87,7 @@ void cni_joint_link(cn_world *world, int32_t joint)
 	for (side = 0; side < 2; ++side)
 		if (j->body[side] != CNI_NONE)
 			cni_body_wake(world, j->body[side]);
-	j->linked = enabled && j->type != CN_JOINT_FILTER && side_is_dynamic(world, j, 0) && side_is_dynamic(world, j, 1);
+	j->linked = enabled && j->type != CN_JOINT_FILTER && cni_is_dynamic(world, j->body[0]) && cni_is_dynamic(world, j->body[1]);
 	if (j->linked)
 		cni_island_link(world, j->body[0], j->body[1]);
 	if (side_is_awake(world, j, 0) || side_is_awake(world, j, 1))

@@ -104,7 +104,7 @@ typedef struct cni_lanes_kept {
 uint32_t cni_joint_handle(const cn_world *world, int32_t joint);
 /* Index of a live joint (constraint 0) or constraint (1), or CNI_NONE. Accepts any 32 bits. */
 int32_t cni_joint_find(const cn_world *world, uint32_t handle, int32_t constraint);
-/* Upper bound of the blocks that so many joints fill: full ones, and one partial block for each colour. */
+/* Upper bound of the blocks that so many joints fill: full ones, and a partial block of each form for each colour. */
 int32_t cni_joint_blocks_for(int32_t joints);
 /* Reserves memory for extra more joints in records and lists. */
 cn_result cni_joint_reserve(cn_world *world, int32_t extra);

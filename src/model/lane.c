@@ -178,19 +178,21 @@ void cni_lane_take_asleep(cn_world *world, int32_t contact)
 	CNI_ASSERT(CNI_SLEEP_IN_BLOCKS);
 }
 
+/* Moves a column of rows and clears the source. */
+static void column_move(float *source, float *target, int32_t rows)
+{
+	for (; rows > 0; --rows, source += CNI_LANES, target += CNI_LANES) {
+		if (target != source)
+			memcpy(target, source, sizeof *target);
+		memset(source, 0, sizeof *source);
+	}
+}
+
 static void extra_move(cn_world *world, int32_t from, int32_t to)
 {
 	cni_block_extra *source = cni_block_extra_at(world, from / CNI_LANES), *target = cni_block_extra_at(world, to / CNI_LANES);
-	const int32_t rows = (int32_t)(sizeof *source / (CNI_LANES * sizeof(float)));
-	int32_t f = from % CNI_LANES, t = to % CNI_LANES, row;
-	if (source == NULL)
-		return;
-	for (row = 0; row < rows; ++row) {
-		float *from_row = (float *)(void *)source + row * CNI_LANES, *to_row = (float *)(void *)target + row * CNI_LANES;
-		if (from != to)
-			to_row[t] = from_row[f];
-		from_row[f] = 0.0f;
-	}
+	if (source != NULL)
+		column_move((float *)(void *)source + from % CNI_LANES, (float *)(void *)target + to % CNI_LANES, (int32_t)(sizeof *source / (CNI_LANES * sizeof(float))));
 }
 
 void cni_lane_set_fresh(cn_world *world, int32_t slot)
@@ -238,12 +240,7 @@ static void lane_move(cn_world *world, int32_t from, int32_t to)
 	float *target = (float *)(void *)cni_block_at(world, to / CNI_LANES) + to % CNI_LANES;
 	cni_block_info *source_info = cni_block_info_at(world, from / CNI_LANES);
 	cni_block_info *target_info = cni_block_info_at(world, to / CNI_LANES);
-	int32_t row;
-	for (row = 0; row < CNI_BLOCK_ROWS; ++row) {
-		if (from != to)
-			memcpy(target + row * CNI_LANES, source + row * CNI_LANES, sizeof(float));
-		memset(source + row * CNI_LANES, 0, sizeof(float));
-	}
+	column_move(source, target, CNI_BLOCK_ROWS);
 	if (from != to) {
 		int32_t contact = source_info->contact[from % CNI_LANES];
 		target_info->contact[to % CNI_LANES] = contact;

@@ -152,12 +152,8 @@ struct cn_world {
 	cni_array awake_joints;      /* int32_t */
 	cni_array joint_work;        /* cni_joint_constraint of joints/joint_constraint.h, one per awake joint */
 	cni_array joint_blocks;      /* cni_joint_block of joints/joint_pass.h; capacity for every joint in any colours */
-	cni_color joint_colors[CNI_JOINT_COLORS];
+	int32_t joint_blocks_of[CNI_JOINT_COLORS]; /* blocks of each colour, in a step */
 	cni_lanes_kept joint_lanes;  /* lanes that the next step may reuse */
-	void *row_blocks;            /* cni_row_block of joints/joint_rows.h, within a step: lanes of other joint types, scratch of the
-	                                arena */
-	int32_t row_block_count;
-	int32_t row_blocks_of[CNI_JOINT_COLORS]; /* by colour */
 	int32_t joint_plain_first;   /* joint constraints that are solved by rows, linked by next_plain; CNI_NONE */
 	int32_t reserved_plain;
 
@@ -225,6 +221,8 @@ static inline float cni_normal_lag_sq(const cn_world *world)
 }
 
 static inline cni_body *cni_body_at(const cn_world *world, int32_t body) { return (cni_body *)cni_table_at_sized(&world->bodies, body, sizeof(cni_body), CNI_PAGE_BODIES); }
+/* CNI_NONE, the world, is not. */
+static inline int32_t cni_is_dynamic(const cn_world *world, int32_t body) { return body != CNI_NONE && cni_body_at(world, body)->type == CN_BODY_DYNAMIC; }
 /*
  * Pose, user data and handle of each body as the user reads them, apart from the records, from which reading fetches two cache lines a
  * body. It is kept while poses or moved bodies are read: then body b's pose is always cni_body_pose, and fell_asleep is the number of
@@ -243,6 +241,12 @@ static inline int32_t cni_readback_ask(const cn_world *world)
 void cni_readback_store(cn_world *world, int32_t body);
 static inline cni_shape *cni_shape_at(const cn_world *world, int32_t shape) { return (cni_shape *)cni_table_at_sized(&world->shapes, shape, sizeof(cni_shape), CNI_PAGE_SHAPES); }
 static inline cni_joint *cni_joint_at(const cn_world *world, int32_t joint) { return (cni_joint *)cni_table_at_sized(&world->joints, joint, sizeof(cni_joint), CNI_PAGE_JOINTS); }
+static inline cni_island *cni_island_at(const cn_world *world, int32_t island) { return (cni_island *)cni_table_at_sized(&world->islands, island, sizeof(cni_island), CNI_PAGE_ISLANDS); }
+/* Reserves records for the next extra links of islands; 0: no memory. */
+static inline int32_t cni_island_reserve(cn_world *world, int32_t extra)
+{
+	return cni_table_reserve(&world->islands, &world->memory, cni_max_i(world->island_used, world->island_count + extra));
+}
 static inline cni_contact *cni_contact_at(const cn_world *world, int32_t contact) { return (cni_contact *)cni_table_at_sized(&world->contacts, contact, sizeof(cni_contact), CNI_PAGE_CONTACTS); }
 static inline cni_contact *cni_contact_of_key(const cn_world *world, int32_t key) { return cni_contact_at(world, key >> 1); }
 static inline cni_contact_block *cni_block_at(const cn_world *world, int32_t block) { return (cni_contact_block *)cni_table_at_sized(&world->blocks_hot, block, sizeof(cni_contact_block), CNI_PAGE_BLOCKS); }

@@ -7,20 +7,22 @@
 #include <string.h>
 
 /* Room of a group for manifolds, where not all of its contacts are new. */
-#define KEPT_A_GROUP 12
-/* Where more than this part of the list is new, as in a world's first step, room for all would be too much. */
+#define KEPT_A_GROUP 32
+/* Where more than this part of the list is new, as in a world's first step, room for all would be too much: each group has less. */
 #define NEW_PART 3
+#define KEPT_OF_MANY 12
 
 /* Room of the groups before this one. */
 static int32_t room_before(const cni_begun_store *store, int32_t group)
 {
 	int32_t old = cni_min_i(group, store->first_new);
-	return old * KEPT_A_GROUP + (group - old) * CNI_BEGUN_GROUP;
+	return old * store->room + (group - old) * CNI_BEGUN_GROUP;
 }
 
 void cni_begun_open(cni_begun_store *store, cn_world *world, int32_t contacts, int32_t created)
 {
 	int32_t groups = contacts / CNI_BEGUN_GROUP + 1, room;
+	store->room = created <= contacts / NEW_PART ? KEPT_A_GROUP : KEPT_OF_MANY;
 	store->first_new = created > 0 && created <= contacts / NEW_PART ? (contacts - created) / CNI_BEGUN_GROUP : groups;
 	store->group = store->taken = 0;
 	room = room_before(store, groups);
@@ -64,7 +66,7 @@ cni_begun cni_begun_again(const cn_world *world, int32_t contact, float dt)
 int32_t cni_begun_keep(cni_begun_store *store, const cni_touch *t)
 {
 	int32_t group = t->contact->slot / CNI_BEGUN_GROUP;
-	if (store->kept == NULL || store->counts[group] == (group < store->first_new ? KEPT_A_GROUP : CNI_BEGUN_GROUP))
+	if (store->kept == NULL || store->counts[group] == (group < store->first_new ? store->room : CNI_BEGUN_GROUP))
 		return 0;
 	store->kept[room_before(store, group) + store->counts[group]++] = cni_begun_of(t);
 	return 1;

@@ -23,6 +23,7 @@ typedef struct cni_begun_store {
 	cni_begun *kept;       /* NULL: no room */
 	uint16_t *counts;      /* of each group */
 	int32_t first_new;     /* the first group with room for all */
+	int32_t room;          /* of each group before it */
 	int32_t group, taken;  /* place of the next one to be taken */
 } cni_begun_store;
 

@@ -17,10 +17,8 @@
 
 void cn_explosion_def_init(cn_explosion_def *def)
 {
-	if (def == NULL)
+	if (!cni_def_begin(def, sizeof *def))
 		return;
-	memset(def, 0, sizeof *def);
-	def->struct_size = (uint32_t)sizeof *def;
 	def->radius_m = 1.0f;
 	cn_query_filter_init(&def->filter);
 }
@@ -56,9 +54,7 @@ static float explosion_visit(void *context, int32_t proxy, float limit)
 
 static void find_pieces(explosion *e, uint64_t *keys)
 {
-	float reach = e->def->radius_m + e->def->falloff_m;
-	cni_vec2 c = e->def->center_m;
-	cni_aabb box = { c.x - reach, c.y - reach, c.x + reach, c.y + reach };
+	cni_aabb box = cni_box_fatten(cni_aabb_of(e->def->center_m, e->def->center_m), e->def->radius_m + e->def->falloff_m);
 	e->keys = keys;
 	e->capacity = e->count;
 	e->count = 0;
@@ -148,13 +144,9 @@ static void apply(explosion *e)
 static void check_def(cni_call *call, const cn_explosion_def *def)
 {
 	float limit;
-	cni_check_pointer(call, "def", def);
-	if (call->result != CN_OK)
+	if (!cni_check_def(call, def, sizeof *def, "cn_explosion_def_init"))
 		return;
 	limit = CNI_POSITION_MAX_UNITS * call->world->settings.length_unit;
-	cni_check_struct_size(call, def->struct_size, sizeof *def, "cn_explosion_def_init");
-	if (call->result != CN_OK)
-		return;
 	cni_check_range(call, "radius_m", def->radius_m, 0.0f, limit);
 	cni_check_range(call, "falloff_m", def->falloff_m, 0.0f, limit);
 	cni_check_finite(call, "impulse_Nspm", def->impulse_Nspm);

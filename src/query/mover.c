@@ -9,8 +9,6 @@
  */
 #include "query/mover.h"
 
-#include <string.h>
-
 /* Of the slop: the skin, and the distance at which surfaces are touched. */
 #define SKIN_PER_SLOP 0.5f
 #define MARGIN_PER_SLOP 0.1f
@@ -21,10 +19,8 @@
 
 void cn_mover_def_init(cn_mover_def *def)
 {
-	if (def == NULL)
+	if (!cni_def_begin(def, sizeof *def))
 		return;
-	memset(def, 0, sizeof *def);
-	def->struct_size = (uint32_t)sizeof *def;
 	def->shape.count = 2;
 	def->shape.radius_m = 0.3f;
 	def->shape.points_m[0].y = -0.5f;
@@ -43,10 +39,8 @@ void cn_mover_def_init(cn_mover_def *def)
 
 static void check_def(cni_call *call, const cn_mover_def *def)
 {
-	cni_check_pointer(call, "def", def);
-	if (call->result != CN_OK)
+	if (!cni_check_def(call, def, sizeof *def, "cn_mover_def_init"))
 		return;
-	cni_check_struct_size(call, def->struct_size, sizeof *def, "cn_mover_def_init");
 	cni_check_flags(call, "flags", def->flags, CN_MOVER_DROP);
 	cni_check_range(call, "up.x", def->up.x, -1e6f, 1e6f);
 	cni_check_range(call, "up.y", def->up.y, -1e6f, 1e6f);
@@ -104,9 +98,7 @@ static void move_begin(cni_move *m, cn_world *world, const cn_mover_def *def, co
 	m->right = cni_right_perp(m->up);
 	m->walkable = cni_sincos(def->slope_limit_rad).c;
 	m->planes.count = 0;
-	from_origin.count = region->count;
-	from_origin.radius_m = region->radius;
-	memcpy(from_origin.points_m, region->points, sizeof from_origin.points_m);
+	from_origin = cni_region_polygon(region);
 	cni_solid_make(&from_origin, &m->solid);
 	m->full = *region;
 	m->core = core_of(region, &m->solid.g, m->skin);
@@ -142,9 +134,9 @@ static void carry(cni_move *m)
 static void push(const cni_move *m, const cn_plane *p, cni_vec2 velocity)
 {
 	const cni_body *b = cni_body_at(m->world, cni_body_index(m->world, p->body));
-	cni_vec2 arm = cni_sub(cni_sub(p->point_m, cni_v(b->cx, b->cy)), cni_v(b->cx_low, b->cy_low)), force;
+	cni_vec2 force;
 	float closing = cni_dot(cni_sub(cni_mover_velocity_at(m->world, p->body, p->point_m), velocity), p->normal);
-	float lever = cni_cross(arm, p->normal), yields;
+	float lever = cni_cross(cni_body_arm(b, p->point_m), p->normal), yields;
 	if (b->type != CN_BODY_DYNAMIC || !(closing > 0.0f) || !(m->def->push_force_N > 0.0f))
 		return;
 	yields = 1.0f / b->mass + (b->inertia > 0.0f ? lever * lever / b->inertia : 0.0f);

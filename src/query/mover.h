@@ -40,13 +40,11 @@ typedef struct cni_move {
 	float margin;            /* surfaces within it are touched */
 	float skin;              /* distance between the surfaces of full and core */
 	float dt;
-	cni_planes planes;       /* of the last cni_move_touch */
+	cni_planes planes;       /* that it touches, when it last slid */
 } cni_move;
 
 /* mover_slide.c. Sets the mover's position. */
 void cni_move_place(cni_move *m, cni_vec2 position);
-/* Finds the planes that it touches. */
-void cni_move_touch(cni_move *m);
 /* Moves the mover by a translation, or as far as it can slide along the surfaces in the way. */
 void cni_move_slide(cni_move *m, cni_vec2 translation);
 /* Removes the horizontal velocity into steep planes: a surface too steep to walk on is a wall. */

@@ -27,9 +27,6 @@
 /* Rounds of pulling where there is no room. */
 #define SHARES_MAX 64
 
-/* Least cosine between the upper side of a one-way shape and the normal. */
-#define ONE_WAY_COSINE 0.7f
-
 /* ------------------------------------------------------------------ finding */
 
 typedef struct plane_query {
@@ -43,11 +40,7 @@ typedef struct plane_query {
 static int32_t plane_before(const void *a, const void *b)
 {
 	const cn_plane *x = (const cn_plane *)a, *y = (const cn_plane *)b;
-	if (x->separation_m != y->separation_m)
-		return x->separation_m < y->separation_m;
-	if (x->shape != y->shape)
-		return cni_order_of(x->shape) < cni_order_of(y->shape);
-	return x->child < y->child;
+	return x->separation_m != y->separation_m ? x->separation_m < y->separation_m : cni_part_before(x->shape, x->child, y->shape, y->child);
 }
 
 /* Maps the frame of a target's body to that of the region's origin. */
@@ -94,7 +87,7 @@ static int32_t one_way_lets_pass(const cni_sight *sight, const cni_query_target 
 {
 	if (!cni_sight_hides_one_way(sight, t->shape))
 		return 0;
-	return !(cni_dot(cni_query_turn_to_world(t->body, cni_v(0.0f, 1.0f)), p->normal) > ONE_WAY_COSINE) ||
+	return !(cni_dot(cni_query_turn_to_world(t->body, cni_v(0.0f, 1.0f)), p->normal) > CNI_ONE_WAY_COSINE) ||
 	       p->separation_m < -sight->world->settings.slop - risen(sight->world, p);
 }
 
@@ -171,16 +164,12 @@ void cni_planes_find(const cni_sight *sight, const cni_region *region, const cni
 	int32_t *out_count)
 {
 	plane_query q;
-	cni_aabb box = cni_region_box(region, cni_v(0.0f, 0.0f));
+	cni_aabb box = cni_box_fatten(cni_region_box(region, cni_v(0.0f, 0.0f)), margin);
 	q.sight = sight;
 	q.region = region;
 	q.solid = solid;
 	q.margin = margin;
 	cni_first_begin(&q.found, out, (int32_t)sizeof *out, capacity, plane_before);
-	box.x0 -= margin;
-	box.y0 -= margin;
-	box.x1 += margin;
-	box.y1 += margin;
 	sight->world->broadphase_ops->query(sight->world->broadphase, &box, plane_visit, &q);
 	cni_first_end(&q.found);
 	*out_count = q.found.total > q.found.held ? q.found.total : drop_hidden(sight, region, out, q.found.held);
@@ -372,10 +361,7 @@ cni_vec2 cni_planes_clip(const cn_plane *planes, const float *speeds, int32_t co
 
 cni_vec2 cni_mover_velocity_at(const cn_world *world, cn_body body, cni_vec2 point)
 {
-	const cni_body *b = cni_body_at(world, cni_body_index(world, body));
-	cn_velocity v = cni_body_velocity(world, b);
-	cni_vec2 arm = cni_sub(cni_sub(point, cni_v(b->cx, b->cy)), cni_v(b->cx_low, b->cy_low));
-	return cni_madd(v.linear_mps, v.angular_radps, cni_left_perp(arm));
+	return cni_body_velocity_at(world, cni_body_at(world, cni_body_index(world, body)), point);
 }
 
 /* ------------------------------------------------------------------ public functions */
@@ -393,13 +379,10 @@ cn_result cn_mover_collide(const cn_world *world, const cn_polygon *shape, float
 		cni_check_position(&call, "position_m", cni_v(position_x_m, position_y_m));
 	if (call.result == CN_OK)
 		cni_check_range(&call, "margin_m", margin_m, 0.0f, CNI_COORDINATE_MAX);
-	cni_check_capacity(&call, "out", out, capacity);
-	cni_check_pointer(&call, "out_count", out_count);
+	cni_check_output(&call, out, capacity, out_count);
 	if (call.result != CN_OK)
 		return call.result;
-	from_origin.count = region.count;
-	from_origin.radius_m = region.radius;
-	memcpy(from_origin.points_m, region.points, sizeof from_origin.points_m);
+	from_origin = cni_region_polygon(&region);
 	cni_solid_make(&from_origin, &solid);
 	region.origin = cni_add(region.origin, cni_v(position_x_m, position_y_m));
 	sight.without = CN_SHAPE_SENSOR;

@@ -12,7 +12,8 @@ void cni_move_place(cni_move *m, cni_vec2 position)
 	m->full.origin = m->core.origin = cni_add(position, m->offset);
 }
 
-void cni_move_touch(cni_move *m)
+/* Finds the planes that it touches. */
+static void touch(cni_move *m)
 {
 	int32_t found;
 	cni_planes_find(&m->sight, &m->full, &m->solid, m->margin, m->planes.at, CNI_MOVER_PLANES_MAX, &found);
@@ -45,7 +46,7 @@ void cni_move_slide(cni_move *m, cni_vec2 translation)
 		cni_vec2 wanted = cni_sub(target, m->mover->position_m);
 		if (k == m->def->iterations_max) /* only out of the surfaces that the last round hit */
 			wanted = cni_v(0.0f, 0.0f);
-		cni_move_touch(m);
+		touch(m);
 		wanted = cni_planes_solve(m->planes.at, m->planes.count, cni_move_block_steep(m, wanted), &m->mover->squeezed_m);
 		if (cni_length(wanted) <= least) {
 			cni_move_place(m, cni_add(m->mover->position_m, wanted));
@@ -54,5 +55,5 @@ void cni_move_slide(cni_move *m, cni_vec2 translation)
 		hit = cni_region_cast(&m->sight, &m->core, wanted);
 		cni_move_place(m, cni_madd(m->mover->position_m, hit.fraction, wanted));
 	}
-	cni_move_touch(m);
+	touch(m);
 }

@@ -2,6 +2,7 @@
  * query/query.c - shared by all queries: see query.h.
  */
 #include "query/query.h"
+#include "geometry/outline.h"
 
 #include <string.h>
 
@@ -44,7 +45,8 @@ static int32_t is_joined(const cn_world *world, int32_t body, int32_t to)
 	return 0;
 }
 
-int32_t cni_sight_sees(const cni_sight *sight, const cni_shape *shape)
+/* Whether a query sees a shape; all queries decide it here. */
+static int32_t sight_sees(const cni_sight *sight, const cni_shape *shape)
 {
 	const cn_query_filter *filter = &sight->filter;
 	if ((shape->flags & (CN_SHAPE_SENSOR | CN_SHAPE_SENSOR_SEEN)) == CN_SHAPE_SENSOR)
@@ -67,7 +69,7 @@ int32_t cni_query_target_of(const cni_sight *sight, int32_t proxy, cni_query_tar
 	out->index = p->shape;
 	out->child = cni_proxy_child(p);
 	out->shape = cni_shape_at(world, p->shape);
-	if (!cni_sight_sees(sight, out->shape))
+	if (!sight_sees(sight, out->shape))
 		return 0;
 	out->body = cni_body_at(world, out->shape->body);
 	out->geometry = cni_shape_geometry(&world->blocks, out->shape);
@@ -95,19 +97,12 @@ int32_t cni_sight_ask_target(const cni_sight *sight, const cni_query_target *t)
 
 cni_vec2 cni_query_to_local(const cni_body *body, cni_vec2 point)
 {
-	if (body == NULL)
-		return point;
-	point = cni_sub(cni_sub(point, cni_v(body->cx, body->cy)), cni_v(body->cx_low, body->cy_low));
-	return cni_add(cni_unrotate(body->q, point), body->local_center);
+	return body != NULL ? cni_body_to_local(body, point) : point;
 }
 
 cni_vec2 cni_query_to_world(const cni_body *body, cni_vec2 local)
 {
-	cni_vec2 r;
-	if (body == NULL)
-		return local;
-	r = cni_rotate(body->q, cni_sub(local, body->local_center));
-	return cni_v(body->cx + (r.x + body->cx_low), body->cy + (r.y + body->cy_low));
+	return body != NULL ? cni_body_to_world(body, local) : local;
 }
 
 cni_vec2 cni_query_turn_to_local(const cni_body *body, cni_vec2 vector)
@@ -122,36 +117,33 @@ cni_vec2 cni_query_turn_to_world(const cni_body *body, cni_vec2 local)
 
 /* ------------------------------------------------------------------ region */
 
-static void points_reverse(cni_vec2 *points, int32_t count)
+cn_polygon cni_region_polygon(const cni_region *region)
 {
-	int32_t i;
-	for (i = 0; i < count / 2; ++i) {
-		cni_vec2 p = points[i];
-		points[i] = points[count - 1 - i];
-		points[count - 1 - i] = p;
-	}
+	cn_polygon p;
+	p.count = region->count;
+	p.radius_m = region->radius;
+	memcpy(p.points_m, region->points, sizeof p.points_m);
+	return p;
+}
+
+const char *cni_check_convex(const cn_polygon *p, float tolerance)
+{
+	if (p->count > 2)
+		return cni_check_polygon(p, tolerance);
+	return p->count == 2 && !(cni_length(cni_sub(p->points_m[1], p->points_m[0])) > tolerance) ? cni_points_near : NULL;
 }
 
 /* Checks the points, which are relative to the first one, and makes them counter-clockwise. */
 static void check_region_points(cni_call *call, cni_region *region)
 {
-	float tolerance = call->world->settings.thickness_least;
-	cn_polygon relative;
-	const char *wrong = NULL;
-	memset(&relative, 0, sizeof relative);
-	relative.count = region->count;
-	relative.radius_m = region->radius;
-	memcpy(relative.points_m, region->points, sizeof relative.points_m);
-	if (region->count > 2)
-		wrong = cni_check_polygon(&relative, tolerance);
-	else if (region->count == 2 && !(cni_length(region->points[1]) > tolerance))
-		wrong = cni_points_near;
+	cn_polygon relative = cni_region_polygon(region);
+	const char *wrong = cni_check_convex(&relative, call->world->settings.thickness_least);
 	if (wrong == cni_points_near)
 		cni_refuse_near(call, region->points, region->count, region->count > 2);
 	else if (wrong != NULL)
 		cni_refuse(call, CN_ERROR_ARGUMENT, wrong);
 	else if (region->count > 2 && cni_cross(region->points[1], region->points[2]) < 0.0f)
-		points_reverse(region->points, region->count);
+		cni_points_reverse(region->points, region->count);
 }
 
 void cni_check_translation(cni_call *call, cn_vec2 translation)
@@ -187,18 +179,9 @@ cni_aabb cni_region_box(const cni_region *region, cni_vec2 offset)
 	cni_vec2 base = cni_add(region->origin, offset);
 	cni_aabb box = { base.x, base.y, base.x, base.y };
 	int32_t i;
-	for (i = 0; i < region->count; ++i) {
-		cni_vec2 p = cni_add(base, region->points[i]);
-		box.x0 = cni_min(p.x, box.x0);
-		box.y0 = cni_min(p.y, box.y0);
-		box.x1 = cni_max(p.x, box.x1);
-		box.y1 = cni_max(p.y, box.y1);
-	}
-	box.x0 -= region->radius;
-	box.y0 -= region->radius;
-	box.x1 += region->radius;
-	box.y1 += region->radius;
-	return box;
+	for (i = 0; i < region->count; ++i)
+		box = cni_aabb_with_point(box, cni_add(base, region->points[i]));
+	return cni_box_fatten(box, region->radius);
 }
 
 cni_proxy_points cni_region_points(const cni_region *region)
@@ -209,7 +192,7 @@ cni_proxy_points cni_region_points(const cni_region *region)
 
 cni_transform cni_region_in(const cni_region *region, const cni_body *body)
 {
-	cni_transform x = { { 1.0f, 0.0f }, { 0.0f, 0.0f } };
+	cni_transform x = cni_identity();
 	x.t = cni_query_to_local(body, region->origin);
 	if (body != NULL) {
 		x.q.c = body->q.c;

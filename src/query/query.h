@@ -31,8 +31,6 @@ typedef struct cni_sight {
 
 /* The defaults for NULL. Checks flags and the ignored body. */
 cni_sight cni_check_filter(cni_call *call, const cn_query_filter *filter);
-/* Whether a query sees a shape; all queries decide it here. */
-int32_t cni_sight_sees(const cni_sight *sight, const cni_shape *shape);
 /* Returns 0 if the filter excludes the shape of the proxy. */
 int32_t cni_query_target_of(const cni_sight *sight, int32_t proxy, cni_query_target *out);
 /* Whether a query without a direction ignores a one-way shape: with CN_QUERY_ONE_WAY. */
@@ -50,6 +48,15 @@ cni_vec2 cni_query_to_local(const cni_body *body, cni_vec2 point);
 cni_vec2 cni_query_to_world(const cni_body *body, cni_vec2 local);
 cni_vec2 cni_query_turn_to_local(const cni_body *body, cni_vec2 vector);
 cni_vec2 cni_query_turn_to_world(const cni_body *body, cni_vec2 local);
+
+/* The order of results at the same distance: by shape, then by child. */
+static inline int32_t cni_part_before(cn_shape shape, int32_t child, cn_shape other, int32_t other_child)
+{
+	return shape != other ? cni_order_of(shape) < cni_order_of(other) : child < other_child;
+}
+
+/* Least cosine between a one-way shape's upper side and the normal at which it is met. */
+#define CNI_ONE_WAY_COSINE 0.7f
 
 /* ---- a convex shape of 1 or more points as geometry, in the frame of its points */
 
@@ -79,6 +86,10 @@ cn_ray_hit cni_region_cast(const cni_sight *sight, const cni_region *region, cni
 /* AABB in the world after a move by offset. */
 cni_aabb cni_region_box(const cni_region *region, cni_vec2 offset);
 cni_proxy_points cni_region_points(const cni_region *region);
+/* ... as a polygon. */
+cn_polygon cni_region_polygon(const cni_region *region);
+/* What makes points no shape, NULL: nothing. One or two points are a circle and a capsule. */
+const char *cni_check_convex(const cn_polygon *p, float tolerance);
 /* Transform of the region's points into the body's frame. */
 cni_transform cni_region_in(const cni_region *region, const cni_body *body);
 

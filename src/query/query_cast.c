@@ -27,11 +27,7 @@ static void check_ray(cni_call *call, const cn_ray *ray)
 static int32_t hit_before(const void *a, const void *b)
 {
 	const cn_ray_hit *x = (const cn_ray_hit *)a, *y = (const cn_ray_hit *)b;
-	if (x->fraction != y->fraction)
-		return x->fraction < y->fraction;
-	if (x->shape != y->shape)
-		return cni_order_of(x->shape) < cni_order_of(y->shape);
-	return x->child < y->child;
+	return x->fraction != y->fraction ? x->fraction < y->fraction : cni_part_before(x->shape, x->child, y->shape, y->child);
 }
 
 static void hit_make(const cn_world *world, const cni_query_target *t, const cni_cast_hit *hit, cn_ray_hit *out)
@@ -56,14 +52,11 @@ static cn_ray_hit hit_none(void)
 
 /* ------------------------------------------------------------------ which hits count */
 
-/* Least cosine between a one-way shape's upper side and the normal at which it is met. */
-#define ONE_WAY_COSINE 0.7f
-
 /* Whether a hit counts under CN_QUERY_ONE_WAY and for starts in contact. translation is in the frame of the shape hit. */
 static int32_t is_met(const cni_sight *sight, const cni_query_target *t, const cni_cast_hit *hit, cni_vec2 translation)
 {
 	if ((sight->filter.flags & CN_QUERY_ONE_WAY) && (t->shape->flags & CN_SHAPE_ONE_WAY) &&
-	    (hit->depth > sight->world->settings.slop || !(hit->normal.y > ONE_WAY_COSINE)))
+	    (hit->depth > sight->world->settings.slop || !(hit->normal.y > CNI_ONE_WAY_COSINE)))
 		return 0;
 	return !cni_cast_leads_out(hit, sight->touch, translation);
 }
@@ -208,8 +201,7 @@ cn_result cn_world_cast_ray_all(const cn_world *world, const cn_ray *ray, const 
 	ray_query q;
 	cni_sight sight = cni_check_filter(&call, filter);
 	check_ray(&call, ray);
-	cni_check_capacity(&call, "out", out, capacity);
-	cni_check_pointer(&call, "out_count", out_count);
+	cni_check_output(&call, out, capacity, out_count);
 	if (call.result != CN_OK)
 		return call.result;
 	ray_begin(&q, &sight, ray);

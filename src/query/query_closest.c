@@ -58,11 +58,7 @@ static float closest_visit(void *context, int32_t proxy, float limit)
 
 static void search_within(closest_query *q, float reach)
 {
-	cni_aabb box;
-	box.x0 = q->point.x - reach;
-	box.y0 = q->point.y - reach;
-	box.x1 = q->point.x + reach;
-	box.y1 = q->point.y + reach;
+	cni_aabb box = cni_box_fatten(cni_aabb_of(q->point, q->point), reach);
 	q->sight->world->broadphase_ops->query(q->sight->world->broadphase, &box, closest_visit, q);
 }
 

@@ -129,18 +129,12 @@ static cn_result overlap_run(overlap_query *q, const cni_sight *sight, cn_shape 
 
 /* ------------------------------------------------------------------ public functions */
 
-static void check_output(cni_call *call, const cn_shape *out, int32_t capacity, const int32_t *out_count)
-{
-	cni_check_capacity(call, "out", out, capacity);
-	cni_check_pointer(call, "out_count", out_count);
-}
-
 cn_result cn_world_overlap_aabb(const cn_world *world, const cn_aabb *box, const cn_query_filter *filter, cn_shape *out, int32_t capacity, int32_t *out_count)
 {
 	cni_call call = cni_enter_const(world);
 	cni_sight sight = cni_check_filter(&call, filter);
 	overlap_query q;
-	check_output(&call, out, capacity, out_count);
+	cni_check_output(&call, out, capacity, out_count);
 	cni_check_pointer(&call, "box", box);
 	if (call.result != CN_OK)
 		return call.result;
@@ -152,10 +146,7 @@ cn_result cn_world_overlap_aabb(const cn_world *world, const cn_aabb *box, const
 		return call.result;
 	q.test = test_box;
 	q.region = NULL;
-	q.box.x0 = box->lower_m.x;
-	q.box.y0 = box->lower_m.y;
-	q.box.x1 = box->upper_m.x;
-	q.box.y1 = box->upper_m.y;
+	q.box = cni_aabb_of(box->lower_m, box->upper_m);
 	return overlap_run(&q, &sight, out, capacity, out_count);
 }
 
@@ -164,7 +155,7 @@ static cn_result overlap_region(cni_call *call, const cn_polygon *polygon, const
 	cni_sight sight = cni_check_filter(call, filter);
 	overlap_query q;
 	cni_region region;
-	check_output(call, out, capacity, out_count);
+	cni_check_output(call, out, capacity, out_count);
 	cni_check_region(call, polygon, &region);
 	if (call->result != CN_OK)
 		return call->result;
@@ -199,14 +190,13 @@ cn_result cn_world_overlap_point(const cn_world *world, float x_m, float y_m, co
 	cni_call call = cni_enter_const(world);
 	cni_sight sight = cni_check_filter(&call, filter);
 	overlap_query q;
-	check_output(&call, out, capacity, out_count);
+	cni_check_output(&call, out, capacity, out_count);
 	cni_check_position(&call, "point", cni_v(x_m, y_m));
 	if (call.result != CN_OK)
 		return call.result;
 	q.test = test_point;
 	q.region = NULL;
 	q.point = cni_v(x_m, y_m);
-	q.box.x0 = q.box.x1 = x_m;
-	q.box.y0 = q.box.y1 = y_m;
+	q.box = cni_aabb_of(q.point, q.point);
 	return overlap_run(&q, &sight, out, capacity, out_count);
 }

@@ -20,7 +20,7 @@
 static void check_points(cni_call *call, const cn_polygon *p)
 {
 	int32_t i;
-	const char *wrong = NULL;
+	const char *wrong;
 	cni_check_range_int(call, "count", p->count, 1, CN_POLYGON_MAX_VERTICES);
 	cni_check_range(call, "radius_m", p->radius_m, 0.0f, CNI_COORDINATE_MAX);
 	for (i = 0; i < p->count && call->result == CN_OK; ++i) {
@@ -29,17 +29,14 @@ static void check_points(cni_call *call, const cn_polygon *p)
 	}
 	if (call->result != CN_OK)
 		return;
-	if (p->count > 2)
-		wrong = cni_check_polygon(p, CNI_THICKNESS_LEAST);
-	else if (p->count == 2 && !(cni_length(cni_sub(p->points_m[1], p->points_m[0])) > CNI_THICKNESS_LEAST))
-		wrong = cni_points_near;
+	wrong = cni_check_convex(p, CNI_THICKNESS_LEAST);
 	if (wrong != NULL)
 		cni_refuse(call, CN_ERROR_ARGUMENT, wrong);
 }
 
 void cni_solid_make(const cn_polygon *p, cni_solid *out)
 {
-	const cni_transform none = { { 1.0f, 0.0f }, { 0.0f, 0.0f } };
+	const cni_transform none = cni_identity();
 	cn_circle circle = { p->points_m[0], p->radius_m };
 	cn_capsule capsule = { p->points_m[0], p->points_m[1], p->radius_m };
 	cn_edge edge = { p->points_m[0], p->points_m[1] };

@@ -36,14 +36,8 @@ static int32_t box_with_margin(const cn_tree *tree, const cn_aabb *box, cni_aabb
 {
 	if (!box_is_good(box))
 		return 0;
-	tight->x0 = box->lower_m.x;
-	tight->y0 = box->lower_m.y;
-	tight->x1 = box->upper_m.x;
-	tight->y1 = box->upper_m.y;
-	fat->x0 = tight->x0 - tree->margin;
-	fat->y0 = tight->y0 - tree->margin;
-	fat->x1 = tight->x1 + tree->margin;
-	fat->y1 = tight->y1 + tree->margin;
+	*tight = cni_aabb_of(box->lower_m, box->upper_m);
+	*fat = cni_box_fatten(*tight, tree->margin);
 	return cni_is_finite(fat->x0) && cni_is_finite(fat->y0) && cni_is_finite(fat->x1) && cni_is_finite(fat->y1);
 }
 
@@ -188,30 +182,21 @@ static float visit_ray(void *context, int32_t item, float limit)
 
 cn_result cn_tree_query(const cn_tree *tree, const cn_aabb *box, cn_tree_query_fn *visit, void *user)
 {
-	tree_visitor visitor = { NULL, NULL, NULL, NULL };
+	tree_visitor visitor = { tree, visit, NULL, user };
 	cni_aabb region;
 	if (tree == NULL || visit == NULL || !box_is_good(box))
 		return CN_ERROR_ARGUMENT;
-	region.x0 = box->lower_m.x;
-	region.y0 = box->lower_m.y;
-	region.x1 = box->upper_m.x;
-	region.y1 = box->upper_m.y;
-	visitor.tree = tree;
-	visitor.query = visit;
-	visitor.user = user;
+	region = cni_aabb_of(box->lower_m, box->upper_m);
 	cni_tree_query(&tree->tree, &region, visit_query, &visitor);
 	return CN_OK;
 }
 
 cn_result cn_tree_cast_ray(const cn_tree *tree, const cn_ray *ray, cn_tree_ray_fn *visit, void *user)
 {
-	tree_visitor visitor = { NULL, NULL, NULL, NULL };
+	tree_visitor visitor = { tree, NULL, visit, user };
 	if (tree == NULL || ray == NULL || visit == NULL || !cni_is_finite2(ray->origin_m) || !cni_is_finite2(ray->translation_m) ||
 	    !cni_is_finite2(cni_add(ray->origin_m, ray->translation_m)))
 		return CN_ERROR_ARGUMENT;
-	visitor.tree = tree;
-	visitor.ray = visit;
-	visitor.user = user;
 	cni_tree_ray(&tree->tree, ray->origin_m, ray->translation_m, visit_ray, &visitor);
 	return CN_OK;
 }

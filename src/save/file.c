@@ -26,8 +26,7 @@ cn_result cn_world_write_size(const cn_world *world, uint64_t *out_bytes)
 {
 	cni_call call = cni_enter_const(world);
 	cni_check_pointer(&call, "out_bytes", out_bytes);
-	if (call.result == CN_OK)
-		cni_check_boundary(&call, world);
+	cni_check_boundary(&call, world);
 	if (call.result == CN_OK)
 		*out_bytes = file_bytes(world);
 	return call.result;
@@ -40,8 +39,7 @@ cn_result cn_world_write(const cn_world *world, void *out, uint64_t capacity, ui
 	uint64_t bytes;
 	cni_file f;
 	cni_check_pointer(&call, "out", out);
-	if (call.result == CN_OK)
-		cni_check_boundary(&call, world);
+	cni_check_boundary(&call, world);
 	if (call.result != CN_OK)
 		return call.result;
 	bytes = file_bytes(world);
@@ -129,11 +127,8 @@ cn_result cn_world_read(const cn_world_def *def, const void *file, uint64_t byte
 	cni_check_pointer(&call, "file", file);
 	cni_check_pointer(&call, "out_world", out_world);
 	cn_world_def_init(&own);
-	if (call.result == CN_OK && def != NULL) {
-		cni_check_struct_size(&call, def->struct_size, sizeof *def, "cn_world_def_init");
-		if (call.result == CN_OK)
-			own = *def;
-	}
+	if (def != NULL && cni_check_def(&call, def, sizeof *def, "cn_world_def_init"))
+		own = *def;
 	if (call.result != CN_OK)
 		return call.result;
 	if (!header_is_good((const uint8_t *)file, bytes))

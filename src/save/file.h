@@ -23,6 +23,7 @@
 /* Kinds of fields. From CNI_FIELD_BODY on: an int32 index that is CNI_NONE or below a limit. */
 enum {
 	CNI_FIELD_DERIVED, /* bytes that are not in the file */
+	CNI_FIELD_SAVED,   /* ... of cn_world, but copied into a save: save/save_state.c */
 	CNI_FIELD_BYTE,
 	CNI_FIELD_HALF,    /* 16 bits */
 	CNI_FIELD_WORD,    /* 32 bits of any meaning */
@@ -49,7 +50,7 @@ typedef struct cni_field {
 	uint32_t kind;
 } cni_field;
 
-#define CNI_FIELD_BYTES(kind) ((kind) == CNI_FIELD_LONG ? 8u : (kind) == CNI_FIELD_HALF ? 2u : (kind) == CNI_FIELD_BYTE || (kind) == CNI_FIELD_DERIVED ? 1u : 4u)
+#define CNI_FIELD_BYTES(kind) ((kind) == CNI_FIELD_LONG ? 8u : (kind) == CNI_FIELD_HALF ? 2u : (kind) <= CNI_FIELD_BYTE ? 1u : 4u)
 
 /* All fields of a kind of record. */
 typedef struct cni_record {
@@ -82,6 +83,8 @@ void cni_file_fail(cni_file *f, cn_result result);
 /* Begins a chunk: writes its head, or finds it. Returns the number of records; READ: 0 after a failure. least: the bytes of a
    record in the file; when reading, the least that a record must have. *stride: bytes from one record to the next. */
 int32_t cni_file_chunk(cni_file *f, const char *tag, uint32_t least, int32_t count, uint32_t *stride);
+/* The same of records that have no more fields than now: in READ their bytes must be exactly `bytes`. */
+int32_t cni_file_chunk_exact(cni_file *f, const char *tag, uint32_t bytes, int32_t count);
 /* READ: is there such a chunk? */
 int32_t cni_file_has(const cni_file *f, const char *tag);
 /* The number of records of a chunk, in READ. */
@@ -105,6 +108,8 @@ uint64_t cni_file_checksum(const uint8_t *bytes, uint64_t count);
 void cni_file_settings(cni_file *f, cni_settings *settings);
 /* Passes the whole world; READ: into one that was created empty, with the settings of the file. */
 void cni_file_world(cn_world *world, cni_file *f);
+/* The members of cn_world. */
+cni_record cni_file_world_record(void);
 /* The first byte of a record that no field names, as record << 16 | offset; -1: all are named. For tests. */
 int32_t cni_file_unknown(void);
 

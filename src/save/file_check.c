@@ -24,21 +24,6 @@ static int32_t lists_of_aliases_hold(const cni_handles *h)
 	return 1;
 }
 
-/* The alias of a slot in the sorted list; 0: none. */
-static int32_t alias_of(const cni_array *by_slot, int32_t slot)
-{
-	const cni_alias *list = (const cni_alias *)by_slot->data;
-	int32_t low = 0, high = by_slot->count;
-	while (low < high) {
-		int32_t middle = low + (high - low) / 2;
-		if (list[middle].slot < slot)
-			low = middle + 1;
-		else
-			high = middle;
-	}
-	return low < by_slot->count && list[low].slot == slot ? list[low].index : 0;
-}
-
 static int32_t aliases_hold(const cni_handles *h)
 {
 	const cni_alias *by_index = (const cni_alias *)h->aliases.data;
@@ -46,7 +31,7 @@ static int32_t aliases_hold(const cni_handles *h)
 	if (!lists_of_aliases_hold(h))
 		return 0;
 	for (k = 0; k < h->aliases.count; ++k)
-		if (alias_of(&h->by_slot, by_index[k].slot) != by_index[k].index)
+		if (cni_handles_alias_of(h, by_index[k].slot) != by_index[k].index)
 			return 0;
 	return 1;
 }
@@ -75,7 +60,7 @@ int32_t cni_file_handles_hold(const cni_handles *h)
 		if (!(slots[k] >> 21 & 1u))
 			continue;
 		++alive;
-		if (slots[k] >> 22 == 0 || (int32_t)(slots[k] & 0x1FFFFFu) != alias_of(&h->by_slot, k))
+		if (slots[k] >> 22 == 0 || (int32_t)(slots[k] & 0x1FFFFFu) != cni_handles_alias_of(h, k))
 			return 0;
 	}
 	return alive == h->count && free_slots_hold(h);

@@ -152,6 +152,15 @@ int32_t cni_file_chunk(cni_file *f, const char *tag, uint32_t least, int32_t cou
 	return count;
 }
 
+int32_t cni_file_chunk_exact(cni_file *f, const char *tag, uint32_t bytes, int32_t count)
+{
+	uint32_t stride;
+	count = cni_file_chunk(f, tag, bytes, count, &stride);
+	if (stride != bytes)
+		cni_file_fail(f, CN_ERROR_FORMAT);
+	return count;
+}
+
 uint64_t cni_file_left(const cni_file *f)
 {
 	return f->result == CN_OK ? (uint64_t)(f->end - f->at) : 0;
@@ -195,7 +204,7 @@ uint32_t cni_record_file_bytes(const cni_record *record)
 	uint32_t bytes = 0;
 	int32_t k;
 	for (k = 0; k < record->count; ++k)
-		if (record->fields[k].kind != CNI_FIELD_DERIVED)
+		if (record->fields[k].kind > CNI_FIELD_SAVED)
 			bytes += record->fields[k].count * CNI_FIELD_BYTES(record->fields[k].kind);
 	return bytes;
 }
@@ -245,7 +254,7 @@ static int32_t value_is_good(const cni_file *f, uint32_t kind, uint64_t value)
 static void field_pass(cni_file *f, const cni_field *field, uint8_t *item)
 {
 	uint32_t bytes = CNI_FIELD_BYTES(field->kind), k;
-	if (field->kind == CNI_FIELD_DERIVED)
+	if (field->kind <= CNI_FIELD_SAVED)
 		return;
 	for (k = 0; k < field->count; ++k, item += bytes) {
 		if (f->mode == CNI_FILE_READ) {

@@ -24,22 +24,25 @@ static const cni_field settings_fields[] = {
 };
 
 #define W(member, kind) FIELD(cn_world, member, kind)
+#define V(member) FIELD(cn_world, member, SAVED)
 #define D(member) FIELD(cn_world, member, DERIVED)
 static const cni_field world_fields[] = {
 	W(step_count, WORD), W(user_data, LONG), W(step_dt, FLOAT), W(mean_dt, FLOAT), W(overridden, BIT), W(fixed_step, FLOAT), W(time_owed, FLOAT),
 	W(steps_max, COUNT), W(pairs_may_repeat, COUNT), W(seams_changed, BIT), W(seams_box, WORD), W(split_step, WORD), W(joints_soft_step, WORD),
 	W(settled, BIT), W(piles_new, BIT), W(piles_unheld, BIT), W(masses_estimated, COUNT), W(estimated, WORD), W(solvers_asked, BIT), W(direct_work, COUNT), W(direct_failed, BIT),
 	W(cone_work, COUNT), W(warnings, WORD), W(pairs_not_added, COUNT), W(bodies_stopped, WORD), W(events_not_reported, COUNT), W(stressed_joints, COUNT),
-	/* other chunks, counted again, or not state: save/save_state.c */
-	D(memory), D(arena), D(blocks), D(team), D(settings), D(locked), D(body_handles), D(bodies), D(movable_count), D(awake_count), D(motion), D(start),
-	D(external), D(awake_id), D(awake_islands), D(step_islands), D(step_island_count), D(kicked), D(previous), D(reserved_time),
-	D(shape_handles), D(shapes), D(proxies), D(proxy_used), D(proxy_free), D(proxy_count), D(proxy_free_count), D(broadphase_ops), D(broadphase),
-	D(pairs), D(contact_used), D(contact_free), D(contact_count), D(contacts_reporting), D(vertex_capacity), D(touching_count), D(contacts), D(apart), D(blocks_hot), D(blocks_info),
-	D(blocks_anchor), D(blocks_extra), D(block_used), D(block_free), D(colors), D(block_list), D(sleep_lanes), D(joint_handles),
-	D(constraint_count), D(joints), D(awake_joints), D(joint_work), D(joint_blocks), D(joint_colors), D(joint_lanes), D(row_blocks),
-	D(row_block_count), D(row_blocks_of), D(joint_plain_first), D(reserved_plain), D(islands), D(island_used), D(island_free), D(island_count),
-	D(reserved_islands), D(direct_islands), D(set_work), D(direct_plans), D(filter), D(filter_user), D(pre_solve), D(pre_solve_user),
-	D(material_mix), D(material_mix_user), D(events), D(profile), D(areas), D(readback), D(readback_kept), D(readback_asked), D(sums), D(sums_count), D(sums_active), D(event_capacity), D(error)
+	/* counted again by a file, settings and colours in chunks of their own */
+	V(settings), V(movable_count), V(awake_count), V(proxy_used), V(proxy_free), V(proxy_count), V(proxy_free_count), V(contact_used), V(contact_free),
+	V(contact_count), V(contacts_reporting), V(touching_count), V(block_used), V(block_free), V(colors), V(constraint_count), V(island_used),
+	V(island_free), V(island_count),
+	/* other chunks, and passed by cni_world_snapshot; memory, scratch, caches, and what stays the world's own */
+	D(memory), D(arena), D(blocks), D(team), D(locked), D(body_handles), D(bodies), D(motion), D(start), D(external), D(awake_id), D(awake_islands),
+	D(step_islands), D(step_island_count), D(kicked), D(previous), D(reserved_time), D(shape_handles), D(shapes), D(proxies), D(broadphase_ops),
+	D(broadphase), D(pairs), D(vertex_capacity), D(contacts), D(apart), D(blocks_hot), D(blocks_info), D(blocks_anchor), D(blocks_extra), D(block_list),
+	D(sleep_lanes), D(joint_handles), D(joints), D(awake_joints), D(joint_work), D(joint_blocks), D(joint_blocks_of), D(joint_lanes),
+	D(joint_plain_first), D(reserved_plain), D(islands), D(reserved_islands), D(direct_islands), D(set_work),
+	D(direct_plans), D(filter), D(filter_user), D(pre_solve), D(pre_solve_user), D(material_mix), D(material_mix_user), D(events), D(profile), D(areas),
+	D(readback), D(readback_kept), D(readback_asked), D(sums), D(sums_count), D(sums_active), D(event_capacity), D(error)
 };
 
 /* ---- handles */
@@ -67,8 +70,8 @@ static const cni_field body_fields[] = {
 static const cni_field motion_fields[] = {
 	M(vx, FLOAT), M(vy, FLOAT), M(w, FLOAT), M(inv_mass, FLOAT), M(dpx, FLOAT), M(dpy, FLOAT), M(theta, FLOAT), M(inv_inertia, FLOAT)
 };
-#define V(member, kind) FIELD(cni_velocity_start, member, kind)
-static const cni_field start_fields[] = { V(vx, WORD), V(vy, WORD), V(w, WORD), V(jumped, WORD) };
+#define O(member, kind) FIELD(cni_velocity_start, member, kind)
+static const cni_field start_fields[] = { O(vx, WORD), O(vy, WORD), O(w, WORD), O(jumped, WORD) };
 #define E(member, kind) FIELD(cni_external, member, kind)
 static const cni_field external_fields[] = { E(ax, WORD), E(ay, WORD), E(alpha, WORD), E(flags, WORD) };
 #define P(member, kind) FIELD(cni_previous, member, kind)
@@ -116,7 +119,7 @@ static const cni_field anchor_fields[] = { { 0, sizeof(cni_block_anchor) / 4, CN
 static const cni_field extra_fields[] = { { 0, sizeof(cni_block_extra) / 4, CNI_FIELD_WORD } };
 #define L(member, kind) FIELD(cni_sleep_lane, member, kind)
 static const cni_field sleep_lane_fields[] = {
-	L(rows, WORD), L(restitution, WORD), L(tangent_speed, WORD), L(rolling, WORD), L(rolling_mass, WORD), L(rolling_impulse, WORD), L(contact, CONTACT)
+	L(rows, WORD), L(restitution, WORD), L(extra, WORD), L(contact, CONTACT)
 };
 #define Q(member, kind) FIELD(cni_color, member, kind)
 static const cni_field color_fields[] = { Q(first, BLOCK), Q(last, BLOCK), Q(lanes, COUNT), Q(listed, DERIVED), Q(listed_count, DERIVED) };
@@ -176,6 +179,8 @@ static const cni_record records[RECORDS] = {
 	RECORD(event_fields, cni_event), RECORD(stay_fields, cni_event_stay), RECORD(hit_fields, cn_contact_event), RECORD(sensor_event_fields, cn_sensor_event), RECORD(joint_event_fields, cn_joint_event),
 	RECORD(area_fields, cni_area)
 };
+
+cni_record cni_file_world_record(void) { return records[OF_WORLD]; }
 
 int32_t cni_file_unknown(void)
 {
@@ -311,10 +316,7 @@ enum { PROXY_POOL, CONTACT_POOL, ISLAND_POOL, BLOCK_POOL };
 /* Marks the free records and links them. */
 static void free_read(cn_world *world, cni_file *f, const pool *p, int32_t used, int32_t *head)
 {
-	uint32_t stride;
-	int32_t count = cni_file_chunk(f, p->tag, 4, 0, &stride), k, *to = head;
-	if (stride != 4)
-		cni_file_fail(f, CN_ERROR_FORMAT);
+	int32_t count = cni_file_chunk_exact(f, p->tag, 4, 0), k, *to = head;
 	*to = CNI_NONE;
 	for (k = 0; k < count; ++k) {
 		uint32_t index = cni_file_word(f, 0);
@@ -331,11 +333,10 @@ static void free_read(cn_world *world, cni_file *f, const pool *p, int32_t used,
 
 static void free_write(cn_world *world, cni_file *f, const pool *p, int32_t head)
 {
-	uint32_t stride;
 	int32_t count = 0, k;
 	for (k = head; k != CNI_NONE; k = *p->link(world, k))
 		++count;
-	(void)cni_file_chunk(f, p->tag, 4, count, &stride);
+	(void)cni_file_chunk_exact(f, p->tag, 4, count);
 	for (k = head; k != CNI_NONE; k = *p->link(world, k))
 		(void)cni_file_word(f, (uint32_t)k);
 }

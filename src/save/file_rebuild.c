@@ -107,11 +107,8 @@ static uint64_t geometries_words(const cn_world *world)
 
 static void geometries_pass(cn_world *world, cni_file *f)
 {
-	uint32_t stride;
-	int32_t count = f->mode == CNI_FILE_READ ? 0 : (int32_t)geometries_words(world), k;
-	(void)cni_file_chunk(f, "GEOM", 4, count, &stride);
-	if (stride != 4)
-		cni_file_fail(f, CN_ERROR_FORMAT);
+	int32_t k;
+	(void)cni_file_chunk_exact(f, "GEOM", 4, f->mode == CNI_FILE_READ ? 0 : (int32_t)geometries_words(world));
 	for (k = 0; k < world->shape_handles.slots.count && f->result == CN_OK; ++k) {
 		if (!cni_handles_alive(&world->shape_handles, k))
 			continue;
@@ -136,9 +133,8 @@ static int32_t material_ids_count(const cn_world *world)
 
 static void material_ids_write(cn_world *world, cni_file *f)
 {
-	uint32_t stride;
 	int32_t k;
-	(void)cni_file_chunk(f, "SMAT", 8, material_ids_count(world), &stride);
+	(void)cni_file_chunk_exact(f, "SMAT", 8, material_ids_count(world));
 	for (k = 0; k < world->shape_handles.slots.count; ++k) {
 		uint32_t id = cni_handles_alive(&world->shape_handles, k) ? cni_shape_material_id(&world->blocks, cni_shape_at(world, k)) : 0u;
 		if (id == 0)
@@ -150,10 +146,7 @@ static void material_ids_write(cn_world *world, cni_file *f)
 
 static void material_ids_read(cn_world *world, cni_file *f)
 {
-	uint32_t stride;
-	int32_t count = cni_file_chunk(f, "SMAT", 8, 0, &stride), k;
-	if (stride != 8)
-		cni_file_fail(f, CN_ERROR_FORMAT);
+	int32_t count = cni_file_chunk_exact(f, "SMAT", 8, 0), k;
 	for (k = 0; k < count && f->result == CN_OK; ++k) {
 		uint32_t shape = cni_file_word(f, 0), id = cni_file_word(f, 0);
 		cni_shape *s;
@@ -180,10 +173,9 @@ static const char *name_of(const cn_world *world, int32_t body)
 static void names_write(cn_world *world, cni_file *f)
 {
 	int32_t pass, k, bytes = 0;
-	uint32_t stride;
 	for (pass = 0; pass < 2; ++pass) {
 		if (pass == 1)
-			(void)cni_file_chunk(f, "NAME", 1, bytes, &stride);
+			(void)cni_file_chunk_exact(f, "NAME", 1, bytes);
 		for (k = 0; k < world->body_handles.slots.count; ++k) {
 			const char *name = name_of(world, k);
 			uint8_t length = 0;
@@ -222,10 +214,7 @@ static void name_read(cn_world *world, cni_file *f)
 
 static void names_read(cn_world *world, cni_file *f)
 {
-	uint32_t stride;
-	(void)cni_file_chunk(f, "NAME", 1, 0, &stride);
-	if (stride != 1)
-		cni_file_fail(f, CN_ERROR_FORMAT);
+	(void)cni_file_chunk_exact(f, "NAME", 1, 0);
 	while (cni_file_left(f) > 0)
 		name_read(world, f);
 }
@@ -276,11 +265,7 @@ static void free_contacts_link(cn_world *world)
 	int32_t contact = world->contact_free, k;
 	while (contact != CNI_NONE) {
 		cni_contact *c = cni_contact_at(world, contact);
-		int32_t *ahead[4], next = c->slot;
-		ahead[0] = &c->next[0];
-		ahead[1] = &c->next[1];
-		ahead[2] = &c->prev[0];
-		ahead[3] = &c->prev[1];
+		int32_t *const ahead[4] = { &c->next[0], &c->next[1], &c->prev[0], &c->prev[1] }, next = c->slot;
 		for (k = 0; k < 4; ++k) {
 			next = next != CNI_NONE ? cni_contact_at(world, next)->slot : CNI_NONE;
 			*ahead[k] = next;

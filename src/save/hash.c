@@ -26,15 +26,10 @@ static uint64_t hash_float(uint64_t hash, float x)
 static uint64_t hash_body(uint64_t hash, const cn_world *world, const cni_body *b)
 {
 	cn_velocity v = cni_body_velocity(world, b);
-	hash = hash_float(hash, b->cx);
-	hash = hash_float(hash, b->cy);
-	hash = hash_float(hash, b->cx_low);
-	hash = hash_float(hash, b->cy_low);
-	hash = hash_float(hash, b->q.c);
-	hash = hash_float(hash, b->q.s);
-	hash = hash_float(hash, v.linear_mps.x);
-	hash = hash_float(hash, v.linear_mps.y);
-	hash = hash_float(hash, v.angular_radps);
+	const float numbers[] = { b->cx, b->cy, b->cx_low, b->cy_low, b->q.c, b->q.s, v.linear_mps.x, v.linear_mps.y, v.angular_radps };
+	uint32_t k;
+	for (k = 0; k < sizeof numbers / sizeof numbers[0]; ++k)
+		hash = hash_float(hash, numbers[k]);
 	return hash_word(hash, b->awake != 0);
 }
 

@@ -71,8 +71,7 @@ cn_result cn_world_save_size(const cn_world *world, uint64_t *out_bytes)
 {
 	cni_call call = cni_enter_const(world);
 	cni_check_pointer(&call, "out_bytes", out_bytes);
-	if (call.result == CN_OK)
-		cni_check_boundary(&call, world);
+	cni_check_boundary(&call, world);
 	if (call.result == CN_OK)
 		*out_bytes = sizeof(header) + state_bytes(world);
 	return call.result;
@@ -84,8 +83,7 @@ cn_result cn_world_save(const cn_world *world, void *out, uint64_t capacity, uin
 	cni_snapshot s;
 	header h;
 	cni_check_pointer(&call, "out", out);
-	if (call.result == CN_OK)
-		cni_check_boundary(&call, world);
+	cni_check_boundary(&call, world);
 	if (call.result != CN_OK)
 		return call.result;
 	h = header_of(world, state_bytes(world));

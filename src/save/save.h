@@ -15,8 +15,5 @@ uint64_t cni_world_layout(void);
 /* Does the header say that these bytes are a save of this build? */
 int32_t cni_save_is_one(const void *save, uint64_t bytes);
 uint64_t cni_save_checksum(const void *bytes, uint64_t count);
-/* Where in cn_world the first byte is that is neither known to be state nor to be something else; -1: all are known. Padding is not,
-   so cn_world has none. For tests. */
-int32_t cni_world_unknown_offset(void);
 
 #endif

@@ -95,12 +95,13 @@ static void delta_put(writer *w, const void *base, uint64_t base_bytes, const vo
 	}
 }
 
-static void check_saves(cni_call *call, const void *base, uint64_t base_bytes, const void *save, uint64_t save_bytes)
+static int32_t check_saves(cni_call *call, const void *base, uint64_t base_bytes, const void *save, uint64_t save_bytes)
 {
 	cni_check_pointer(call, "base", base);
 	cni_check_pointer(call, "save", save);
 	if (call->result == CN_OK && (!cni_save_is_one(base, base_bytes) || !cni_save_is_one(save, save_bytes)))
 		call->result = CN_ERROR_FORMAT;
+	return call->result == CN_OK;
 }
 
 cn_result cn_save_delta_size(const void *base, uint64_t base_bytes, const void *save, uint64_t save_bytes, uint64_t *out_bytes)
@@ -108,12 +109,11 @@ cn_result cn_save_delta_size(const void *base, uint64_t base_bytes, const void *
 	cni_call call = cni_enter_free();
 	writer w = { NULL, 0 };
 	cni_check_pointer(&call, "out_bytes", out_bytes);
-	check_saves(&call, base, base_bytes, save, save_bytes);
-	if (call.result != CN_OK)
-		return call.result;
-	delta_put(&w, base, base_bytes, save, save_bytes);
-	*out_bytes = w.bytes;
-	return CN_OK;
+	if (check_saves(&call, base, base_bytes, save, save_bytes)) {
+		delta_put(&w, base, base_bytes, save, save_bytes);
+		*out_bytes = w.bytes;
+	}
+	return call.result;
 }
 
 cn_result cn_save_delta(const void *base, uint64_t base_bytes, const void *save, uint64_t save_bytes, void *out, uint64_t capacity, uint64_t *out_bytes)
@@ -121,8 +121,7 @@ cn_result cn_save_delta(const void *base, uint64_t base_bytes, const void *save,
 	cni_call call = cni_enter_free();
 	writer w = { NULL, 0 };
 	cni_check_pointer(&call, "out", out);
-	check_saves(&call, base, base_bytes, save, save_bytes);
-	if (call.result != CN_OK)
+	if (!check_saves(&call, base, base_bytes, save, save_bytes))
 		return call.result;
 	delta_put(&w, base, base_bytes, save, save_bytes);
 	if (w.bytes > capacity)

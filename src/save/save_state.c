@@ -1,55 +1,17 @@
 /*
- * save/save_state.c - what the state of a world is: every member of cn_world is in one of the lists below, or is passed by
- * cni_world_snapshot.
+ * save/save_state.c - what the state of a world is: numbers by the list of the world's members (save/file_fields.c), tables, arrays and
+ * events below.
  *
  * Scratch of a step is not state, nor is what would be found again as it is: the lists of events that users see are built from
  * the logs; lanes of joints and plans of direct solving that are kept from the last step give the bits of new ones
  * (joints/joint_blocks.c, linear/sparse_plan.c), each compared with what it depends on before it is used. Memory, workers, callbacks, and the sentence of the
  * last error stay the world's own.
  */
+#include "save/file.h"
 #include "save/save.h"
 
 #include <stddef.h>
 #include <string.h>
-
-typedef struct member {
-	uint32_t offset;
-	uint32_t bytes;
-} member;
-
-#define MEMBER(name) { (uint32_t)offsetof(cn_world, name), (uint32_t)sizeof(((cn_world *)0)->name) }
-
-/* Copied as it is. */
-static const member state_members[] = {
-	MEMBER(user_data), MEMBER(settings), MEMBER(step_count), MEMBER(step_dt), MEMBER(mean_dt), MEMBER(overridden),
-	MEMBER(movable_count), MEMBER(awake_count), MEMBER(fixed_step), MEMBER(time_owed), MEMBER(steps_max),
-	MEMBER(proxy_used), MEMBER(proxy_free), MEMBER(proxy_count), MEMBER(proxy_free_count), MEMBER(pairs_may_repeat),
-	MEMBER(seams_changed), MEMBER(seams_box), MEMBER(contact_used), MEMBER(contact_free), MEMBER(contact_count), MEMBER(contacts_reporting), MEMBER(touching_count),
-	MEMBER(block_used), MEMBER(block_free), MEMBER(colors), MEMBER(constraint_count), MEMBER(stressed_joints),
-	MEMBER(island_used), MEMBER(island_free), MEMBER(island_count), MEMBER(split_step), MEMBER(joints_soft_step), MEMBER(settled),
-	MEMBER(piles_new), MEMBER(masses_estimated), MEMBER(estimated), MEMBER(piles_unheld), MEMBER(solvers_asked), MEMBER(direct_work), MEMBER(direct_failed), MEMBER(cone_work),
-	MEMBER(warnings), MEMBER(pairs_not_added), MEMBER(events_not_reported)
-};
-
-/* Passed below. */
-static const member passed_members[] = {
-	MEMBER(blocks), MEMBER(body_handles), MEMBER(bodies), MEMBER(motion), MEMBER(start), MEMBER(external), MEMBER(awake_id), MEMBER(kicked),
-	MEMBER(previous), MEMBER(shape_handles), MEMBER(shapes), MEMBER(proxies), MEMBER(broadphase), MEMBER(areas), MEMBER(contacts), MEMBER(apart),
-	MEMBER(blocks_hot), MEMBER(blocks_info), MEMBER(blocks_anchor), MEMBER(blocks_extra), MEMBER(sleep_lanes), MEMBER(joint_handles),
-	MEMBER(joints), MEMBER(awake_joints), MEMBER(islands), MEMBER(direct_islands), MEMBER(events)
-};
-
-/* Memory, scratch, caches, what stays the world's own. */
-static const member other_members[] = {
-	MEMBER(memory), MEMBER(vertex_capacity), MEMBER(arena), MEMBER(team), MEMBER(locked), MEMBER(awake_islands), MEMBER(step_islands), MEMBER(step_island_count),
-	MEMBER(reserved_time), MEMBER(broadphase_ops), MEMBER(pairs), MEMBER(block_list), MEMBER(joint_work), MEMBER(joint_blocks),
-	MEMBER(joint_colors), MEMBER(joint_lanes), MEMBER(row_blocks), MEMBER(row_block_count), MEMBER(row_blocks_of), MEMBER(joint_plain_first),
-	MEMBER(reserved_plain), MEMBER(direct_plans), MEMBER(filter), MEMBER(filter_user), MEMBER(pre_solve), MEMBER(pre_solve_user),
-	MEMBER(material_mix), MEMBER(material_mix_user), MEMBER(profile), MEMBER(error), MEMBER(readback), MEMBER(readback_kept), MEMBER(readback_asked),
-	MEMBER(sums), MEMBER(sums_count), MEMBER(sums_active), MEMBER(event_capacity), MEMBER(reserved_islands), MEMBER(set_work), MEMBER(bodies_stopped)
-};
-
-#define COUNT_OF(list) ((int32_t)(sizeof(list) / sizeof((list)[0])))
 
 /* ---- parts ---- */
 
@@ -112,11 +74,7 @@ static void handles_pass(cni_snapshot *s, cni_handles *handles)
 	cni_snapshot_array(s, &handles->slots);
 	cni_snapshot_array(s, &handles->aliases);
 	cni_snapshot_array(s, &handles->by_slot);
-	cni_snapshot_state(s, &handles->count, sizeof handles->count);
-	cni_snapshot_state(s, &handles->free_first, sizeof handles->free_first);
-	cni_snapshot_state(s, &handles->free_last, sizeof handles->free_last);
-	cni_snapshot_state(s, &handles->worn, sizeof handles->worn);
-	cni_snapshot_state(s, &handles->alias_next, sizeof handles->alias_next);
+	cni_snapshot_members(s, handles, offsetof(cni_handles, count), sizeof *handles);
 }
 
 static void arrays_pass(cn_world *world, cni_snapshot *s)
@@ -141,8 +99,6 @@ static void events_pass(cni_events *events, cni_snapshot *s)
 	for (kind = 0; kind < CN_EVENT_KINDS; ++kind) {
 		cni_snapshot_array(s, &events->log[kind]);
 		cni_snapshot_array(s, &events->pending[kind]);
-		if (s->mode == CNI_SNAPSHOT_LOAD)
-			events->built[kind] = events->seen[kind].count = 0;
 	}
 	cni_snapshot_array(s, &events->sensor_log);
 	cni_snapshot_array(s, &events->sensor_pending);
@@ -150,19 +106,21 @@ static void events_pass(cni_events *events, cni_snapshot *s)
 	cni_snapshot_array(s, &events->joint_pending);
 	cni_snapshot_array(s, &events->asleep);
 	if (s->mode == CNI_SNAPSHOT_LOAD)
-		events->moved_built = events->moved.count = 0;
+		cni_events_forget_built(events);
 }
 
 void cni_world_snapshot(cn_world *world, cni_snapshot *s)
 {
+	const cni_record members = cni_file_world_record();
 	int32_t k;
 	rooms_pass(world, s);
 	tables_pass(world, s);
 	handles_pass(s, &world->body_handles);
 	handles_pass(s, &world->shape_handles);
 	handles_pass(s, &world->joint_handles);
-	for (k = 0; k < COUNT_OF(state_members); ++k)
-		cni_snapshot_state(s, (uint8_t *)world + state_members[k].offset, state_members[k].bytes);
+	for (k = 0; k < members.count; ++k)
+		if (members.fields[k].kind != CNI_FIELD_DERIVED)
+			cni_snapshot_state(s, (uint8_t *)world + members.fields[k].offset, members.fields[k].count * CNI_FIELD_BYTES(members.fields[k].kind));
 	cni_snapshot_blocks(s, &world->blocks);
 	world->broadphase_ops->snapshot(world->broadphase, s);
 	arrays_pass(world, s); /* last what changes its length in most steps, so that it moves little else: save/save_delta.c */
@@ -173,45 +131,18 @@ void cni_world_snapshot(cn_world *world, cni_snapshot *s)
 
 /* ---- what the bytes mean ---- */
 
-static uint64_t mix(uint64_t hash, uint64_t number)
-{
-	return (hash ^ number) * 0x100000001B3u;
-}
-
 uint64_t cni_world_layout(void)
 {
 	const uint64_t sizes[] = { CNI_LANES, sizeof(cni_body), sizeof(cni_shape), sizeof(cni_proxy), sizeof(cni_contact), sizeof(cni_contact_block),
 		sizeof(cni_block_info), sizeof(cni_block_anchor), sizeof(cni_block_extra), sizeof(cni_joint), sizeof(cni_island), sizeof(cni_motion),
 		sizeof(cni_previous), sizeof(cni_area), sizeof(cni_sleep_lane), sizeof(cni_event), sizeof(cn_contact_event), sizeof(cn_world), sizeof(void *), CN_VERSION_MAJOR, CN_VERSION_MINOR,
 		CN_VERSION_PATCH };
+	const cni_record members = cni_file_world_record();
 	uint64_t hash = 0xCBF29CE484222325u;
-	int32_t k;
-	for (k = 0; k < COUNT_OF(sizes); ++k)
-		hash = mix(hash, sizes[k]);
-	for (k = 0; k < COUNT_OF(state_members); ++k)
-		hash = mix(hash, (uint64_t)state_members[k].offset << 32 | state_members[k].bytes);
+	uint32_t k;
+	for (k = 0; k < sizeof sizes / sizeof sizes[0]; ++k)
+		hash = (hash ^ sizes[k]) * 0x100000001B3u;
+	for (k = 0; k < (uint32_t)members.count; ++k)
+		hash = (hash ^ ((uint64_t)members.fields[k].offset << 32 | members.fields[k].kind)) * 0x100000001B3u;
 	return hash;
-}
-
-/* The end of the member of a list that begins at or spans an offset; 0: there is none. */
-static uint32_t member_end(const member *list, int32_t count, uint32_t offset)
-{
-	int32_t k;
-	for (k = 0; k < count; ++k)
-		if (list[k].offset <= offset && offset < list[k].offset + list[k].bytes)
-			return list[k].offset + list[k].bytes;
-	return 0;
-}
-
-int32_t cni_world_unknown_offset(void)
-{
-	uint32_t offset = 0;
-	while (offset < sizeof(cn_world)) {
-		uint32_t end = member_end(state_members, COUNT_OF(state_members), offset) + member_end(passed_members, COUNT_OF(passed_members), offset) +
-		               member_end(other_members, COUNT_OF(other_members), offset);
-		if (end == 0)
-			return (int32_t)offset;
-		offset = end;
-	}
-	return -1;
 }

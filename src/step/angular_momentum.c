@@ -88,7 +88,7 @@ static void held_by_contacts(const body_groups *p)
 /* The record costs a cache miss: it is read only if the flags do not decide. */
 static int32_t turns_against_world(const cni_joint_constraint *w)
 {
-	return !(w->flags & CNI_CONSTRAINT_WIDE) && (w->record->type == CN_JOINT_GEAR || w->record->type == CN_JOINT_PULLEY);
+	return w->record->type == CN_JOINT_GEAR || w->record->type == CN_JOINT_PULLEY;
 }
 
 static void held_by_joints(const body_groups *p)

@@ -7,12 +7,13 @@
 #include "joints/joint_pass.h"
 #include "model/tuning.h"
 
-/* CNI_LOAD_HEAVY / (h stress^2) of a step, times the square of the speed that the impulse gives. Without gravity there is no weight to
-   compare with. */
+/* CNI_LOAD_HEAVY / (h stress^2) of a step, times the square of the speed that the impulse gives. Weightless bodies are compared with
+   bodies under standard gravity: without a limit, the loads of contacts that press a wedged body from both sides rise for as long as it moves,
+   and the first of them to lose its impulse throws it. */
 static float load_heavy(const cn_world *world, const cni_solve *s)
 {
-	float g_sq = cni_length_sq(world->settings.gravity);
-	return g_sq > 0.0f ? CNI_LOAD_HEAVY * s->dt * s->h * g_sq : FLT_MAX;
+	float g_sq = cni_length_sq(world->settings.gravity), standard = CNI_STANDARD_GRAVITY * world->settings.length_unit;
+	return CNI_LOAD_HEAVY * s->dt * s->h * (g_sq > 0.0f ? g_sq : standard * standard);
 }
 
 /*

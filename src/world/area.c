@@ -10,20 +10,14 @@
 
 void cn_area_def_init(cn_area_def *def)
 {
-	if (def == NULL)
+	if (!cni_def_begin(def, sizeof *def))
 		return;
-	memset(def, 0, sizeof *def);
-	def->struct_size = (uint32_t)sizeof *def;
 	def->pull_distance_m = CN_DEFAULT;
 }
 
 static void check_def(cni_call *call, const cn_area_def *def)
 {
-	cni_check_pointer(call, "def", def);
-	if (call->result != CN_OK)
-		return;
-	cni_check_struct_size(call, def->struct_size, sizeof *def, "cn_area_def_init");
-	if (call->result != CN_OK)
+	if (!cni_check_def(call, def, sizeof *def, "cn_area_def_init"))
 		return;
 	cni_check_flags(call, "flags", def->flags, CNI_AREA_FLAGS);
 	cni_check_finite2(call, "gravity_mps2", def->gravity_mps2);

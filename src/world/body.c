@@ -16,10 +16,8 @@
 
 void cn_body_def_init(cn_body_def *def)
 {
-	if (def == NULL)
+	if (!cni_def_begin(def, sizeof *def))
 		return;
-	memset(def, 0, sizeof *def);
-	def->struct_size = (uint32_t)sizeof *def;
 	def->type = CN_BODY_DYNAMIC;
 	def->gravity_scale = 1.0f;
 	def->sleep_speed_mps = CN_DEFAULT;
@@ -99,11 +97,7 @@ cn_result cn_body_get_name(const cn_world *world, cn_body body, const char **out
 
 static void check_def(cni_call *call, const cn_body_def *def)
 {
-	cni_check_pointer(call, "def", def);
-	if (call->result != CN_OK)
-		return;
-	cni_check_struct_size(call, def->struct_size, sizeof *def, "cn_body_def_init");
-	if (call->result != CN_OK)
+	if (!cni_check_def(call, def, sizeof *def, "cn_body_def_init"))
 		return;
 	cni_check_range_int(call, "type", def->type, CN_BODY_STATIC, CN_BODY_DYNAMIC);
 	cni_check_position(call, "position_m", def->position_m);

@@ -1,17 +1,9 @@
 /*
- * world/body_motion.c - public functions on pose, points, velocity, forces and impulses of a body. World points
- * enter the body's frame as differences from its centre of mass (high part first, then low), which keeps all
- * digits far from the origin.
+ * world/body_motion.c - public functions on pose, points, velocity, forces and impulses of a body.
  */
 #include "world/define.h"
 
 /* ------------------------------------------------------------------ pose and points */
-
-/* Lever arm from the centre of mass to a world point. */
-static cni_vec2 lever_arm(const cni_body *b, cni_vec2 point)
-{
-	return cni_sub(cni_sub(point, cni_v(b->cx, b->cy)), cni_v(b->cx_low, b->cy_low));
-}
 
 /* Wakes the other bodies of all contacts of a teleported body, touching or not: the next step must check these contacts, and it skips
    contacts of sleeping bodies. */
@@ -82,14 +74,11 @@ cn_result cn_body_get_world_point(const cn_world *world, cn_body body, float loc
 	cn_vec2 local_m = { local_x_m, local_y_m };
 	cni_call call = cni_enter_const(world);
 	const cni_body *b = cni_check_body(&call, "body", body);
-	cni_vec2 r;
 	cni_check_finite2(&call, "local_m", local_m);
 	cni_check_pointer(&call, "out_m", out_m);
-	if (call.result != CN_OK)
-		return call.result;
-	r = cni_rotate(b->q, cni_sub(local_m, b->local_center));
-	*out_m = cni_v(b->cx + (r.x + b->cx_low), b->cy + (r.y + b->cy_low));
-	return CN_OK;
+	if (call.result == CN_OK)
+		*out_m = cni_body_to_world(b, local_m);
+	return call.result;
 }
 
 cn_result cn_body_get_local_point(const cn_world *world, cn_body body, float world_x_m, float world_y_m, cn_vec2 *out_m)
@@ -100,7 +89,7 @@ cn_result cn_body_get_local_point(const cn_world *world, cn_body body, float wor
 	cni_check_finite2(&call, "world_m", world_m);
 	cni_check_pointer(&call, "out_m", out_m);
 	if (call.result == CN_OK)
-		*out_m = cni_add(cni_unrotate(b->q, lever_arm(b, world_m)), b->local_center);
+		*out_m = cni_body_to_local(b, world_m);
 	return call.result;
 }
 
@@ -133,7 +122,7 @@ static cn_velocity velocity_to(const cni_body *b, cn_vec2 position, float angle,
 	cni_rot q = cni_sincos(angle), turn = cni_rot_between(b->q, q);
 	cni_vec2 center = cni_add(position, cni_rotate(q, b->local_center));
 	cn_velocity v;
-	v.linear_mps = cni_mul(1.0f / dt, lever_arm(b, center));
+	v.linear_mps = cni_mul(1.0f / dt, cni_body_arm(b, center));
 	v.angular_radps = cni_atan2(turn.s, turn.c) / dt;
 	return v;
 }
@@ -162,13 +151,11 @@ cn_result cn_body_get_velocity_at(const cn_world *world, cn_body body, float poi
 	cn_vec2 point_m = { point_x_m, point_y_m };
 	cni_call call = cni_enter_const(world);
 	const cni_body *b = cni_check_body(&call, "body", body);
-	cn_velocity v;
 	cni_check_finite2(&call, "point_m", point_m);
 	cni_check_pointer(&call, "out_mps", out_mps);
 	if (call.result != CN_OK)
 		return call.result;
-	v = cni_body_velocity(world, b);
-	*out_mps = cni_madd(v.linear_mps, v.angular_radps, cni_left_perp(lever_arm(b, point_m)));
+	*out_mps = cni_body_velocity_at(world, b, point_m);
 	*out_mps = cni_v(cni_saturate(out_mps->x), cni_saturate(out_mps->y));
 	return CN_OK;
 }
@@ -181,25 +168,51 @@ static int32_t takes_forces(const cni_body *b)
 	return b->type == CN_BODY_DYNAMIC && (b->flags & CN_BODY_ENABLED);
 }
 
-/* Adds to the force and torque of the next step; sums of finite numbers may overflow. */
-static cn_result add_force(cni_call *call, cn_world *world, cn_body body, cni_vec2 force, float torque)
+/* A force or an impulse in the body's centre of mass, with its torque. */
+typedef struct push {
+	cni_body *body; /* NULL: the call has failed */
+	cni_vec2 linear;
+	float angular;
+} push;
+
+static push push_at_center(cni_call *call, cn_body body, const char *field, float x, float y)
 {
-	cni_body *b;
+	push p = { cni_check_body(call, "body", body), { x, y }, 0.0f };
+	cni_check_finite2(call, field, p.linear);
+	return p;
+}
+
+static push push_at(cni_call *call, cn_body body, const char *field, float x, float y, float point_x_m, float point_y_m)
+{
+	push p = push_at_center(call, body, field, x, y);
+	cni_vec2 point_m = { point_x_m, point_y_m };
+	cni_check_finite2(call, "point_m", point_m);
+	p.angular = p.body != NULL ? cni_cross(cni_body_arm(p.body, point_m), p.linear) : 0.0f;
+	return p;
+}
+
+static push push_turn(cni_call *call, cn_body body, const char *field, float angular)
+{
+	push p = { cni_check_body(call, "body", body), { 0.0f, 0.0f }, angular };
+	cni_check_finite(call, field, angular);
+	return p;
+}
+
+/* Adds to the force and torque of the next step; sums of finite numbers may overflow. */
+static cn_result add_force(cni_call *call, cn_world *world, cn_body body, push p)
+{
 	cni_external *d;
 	cni_vec2 total;
 	float total_torque;
-	if (call->result != CN_OK)
+	if (call->result != CN_OK || !takes_forces(p.body))
 		return call->result;
-	b = cni_body_at(world, cni_body_index(world, body));
-	if (!takes_forces(b))
-		return CN_OK;
-	d = cni_externals(world) + b->awake; /* the dummy has no force */
-	total = cni_add(cni_v(d->ax, d->ay), force);
-	total_torque = d->alpha + torque;
+	d = cni_externals(world) + p.body->awake; /* the dummy has no force */
+	total = cni_add(cni_v(d->ax, d->ay), p.linear);
+	total_torque = d->alpha + p.angular;
 	if (!cni_is_finite2(total) || !cni_is_finite(total_torque))
 		return cni_refuse(call, CN_ERROR_ARGUMENT, "the sum of forces and torques of this step must stay finite");
 	cni_body_wake(world, cni_body_index(world, body));
-	d = cni_externals(world) + b->awake;
+	d = cni_externals(world) + p.body->awake;
 	d->ax = total.x;
 	d->ay = total.y;
 	d->alpha = total_torque;
@@ -208,46 +221,33 @@ static cn_result add_force(cni_call *call, cn_world *world, cn_body body, cni_ve
 
 cn_result cn_body_apply_force(cn_world *world, cn_body body, float force_x_N, float force_y_N)
 {
-	cn_vec2 force_N = { force_x_N, force_y_N };
 	cni_call call = cni_enter(world, __func__);
-	cni_check_body(&call, "body", body);
-	cni_check_finite2(&call, "force_N", force_N);
-	return add_force(&call, world, body, force_N, 0.0f);
+	return add_force(&call, world, body, push_at_center(&call, body, "force_N", force_x_N, force_y_N));
 }
 
 cn_result cn_body_apply_force_at(cn_world *world, cn_body body, float force_x_N, float force_y_N, float point_x_m, float point_y_m)
 {
-	cn_vec2 force_N = { force_x_N, force_y_N };
-	cn_vec2 point_m = { point_x_m, point_y_m };
 	cni_call call = cni_enter(world, __func__);
-	const cni_body *b = cni_check_body(&call, "body", body);
-	cni_check_finite2(&call, "force_N", force_N);
-	cni_check_finite2(&call, "point_m", point_m);
-	return add_force(&call, world, body, force_N, b != NULL ? cni_cross(lever_arm(b, point_m), force_N) : 0.0f);
+	return add_force(&call, world, body, push_at(&call, body, "force_N", force_x_N, force_y_N, point_x_m, point_y_m));
 }
 
 cn_result cn_body_apply_torque(cn_world *world, cn_body body, float torque_Nm)
 {
 	cni_call call = cni_enter(world, __func__);
-	cni_check_body(&call, "body", body);
-	cni_check_finite(&call, "torque_Nm", torque_Nm);
-	return add_force(&call, world, body, cni_v(0.0f, 0.0f), torque_Nm);
+	return add_force(&call, world, body, push_turn(&call, body, "torque_Nm", torque_Nm));
 }
 
 /* Changes the velocity at once by impulse / mass and angular impulse / inertia, except along locked axes. */
-static cn_result add_impulse(cni_call *call, cn_world *world, cn_body body, cni_vec2 impulse, float angular)
+static cn_result add_impulse(cni_call *call, cn_world *world, cn_body body, push p)
 {
-	cni_body *b;
+	cni_body *b = p.body;
 	cn_velocity v;
-	if (call->result != CN_OK)
+	if (call->result != CN_OK || !takes_forces(b))
 		return call->result;
-	b = cni_body_at(world, cni_body_index(world, body));
-	if (!takes_forces(b))
-		return CN_OK;
 	v = cni_body_velocity(world, b);
-	v.linear_mps = cni_add(v.linear_mps, cni_v(impulse.x / b->mass, impulse.y / b->mass));
+	v.linear_mps = cni_add(v.linear_mps, cni_v(p.linear.x / b->mass, p.linear.y / b->mass));
 	if (b->inertia > 0.0f)
-		v.angular_radps += angular / b->inertia;
+		v.angular_radps += p.angular / b->inertia;
 	if (!cni_is_finite2(v.linear_mps) || !cni_is_finite(v.angular_radps))
 		return cni_refuse(call, CN_ERROR_ARGUMENT, "the velocity after the impulse must stay finite");
 	cni_body_wake(world, cni_body_index(world, body));
@@ -258,28 +258,18 @@ static cn_result add_impulse(cni_call *call, cn_world *world, cn_body body, cni_
 
 cn_result cn_body_apply_impulse(cn_world *world, cn_body body, float impulse_x_Ns, float impulse_y_Ns)
 {
-	cn_vec2 impulse_Ns = { impulse_x_Ns, impulse_y_Ns };
 	cni_call call = cni_enter(world, __func__);
-	cni_check_body(&call, "body", body);
-	cni_check_finite2(&call, "impulse_Ns", impulse_Ns);
-	return add_impulse(&call, world, body, impulse_Ns, 0.0f);
+	return add_impulse(&call, world, body, push_at_center(&call, body, "impulse_Ns", impulse_x_Ns, impulse_y_Ns));
 }
 
 cn_result cn_body_apply_impulse_at(cn_world *world, cn_body body, float impulse_x_Ns, float impulse_y_Ns, float point_x_m, float point_y_m)
 {
-	cn_vec2 impulse_Ns = { impulse_x_Ns, impulse_y_Ns };
-	cn_vec2 point_m = { point_x_m, point_y_m };
 	cni_call call = cni_enter(world, __func__);
-	const cni_body *b = cni_check_body(&call, "body", body);
-	cni_check_finite2(&call, "impulse_Ns", impulse_Ns);
-	cni_check_finite2(&call, "point_m", point_m);
-	return add_impulse(&call, world, body, impulse_Ns, b != NULL ? cni_cross(lever_arm(b, point_m), impulse_Ns) : 0.0f);
+	return add_impulse(&call, world, body, push_at(&call, body, "impulse_Ns", impulse_x_Ns, impulse_y_Ns, point_x_m, point_y_m));
 }
 
 cn_result cn_body_apply_angular_impulse(cn_world *world, cn_body body, float impulse_Nms)
 {
 	cni_call call = cni_enter(world, __func__);
-	cni_check_body(&call, "body", body);
-	cni_check_finite(&call, "impulse_Nms", impulse_Nms);
-	return add_impulse(&call, world, body, cni_v(0.0f, 0.0f), impulse_Nms);
+	return add_impulse(&call, world, body, push_turn(&call, body, "impulse_Nms", impulse_Nms));
 }

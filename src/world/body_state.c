@@ -57,13 +57,10 @@ static void leave_simulation(cn_world *world, int32_t body)
 /* Whether the body is the only dynamic body of a joint. */
 static int32_t is_only_dynamic_of_a_joint(const cn_world *world, const cni_body *b)
 {
-	int32_t key;
-	for (key = b->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1]) {
-		int32_t other = cni_joint_at(world, key >> 1)->body[1 - (key & 1)];
-		if (other == CNI_NONE || cni_body_at(world, other)->type != CN_BODY_DYNAMIC)
-			return 1;
-	}
-	return 0;
+	int32_t key = b->joint_first;
+	while (key != CNI_NONE && cni_is_dynamic(world, cni_joint_at(world, key >> 1)->body[1 - (key & 1)]))
+		key = cni_joint_at(world, key >> 1)->next[key & 1];
+	return key != CNI_NONE;
 }
 
 static void store_type(cn_world *world, cni_body *b, int32_t type)

@@ -33,11 +33,9 @@ static constraint_head check_def(cni_call *call, int32_t type, const void *def)
 {
 	const cni_joint_kind *kind = cni_joint_kind_of(type);
 	constraint_head head = { 0, 0, 0 };
-	cni_check_pointer(call, "def", def);
-	if (call->result != CN_OK)
+	if (!cni_check_def(call, def, kind->bytes, kind->init))
 		return head;
 	memcpy(&head, def, sizeof head);
-	cni_check_struct_size(call, head.struct_size, kind->bytes, kind->init);
 	cni_check_flags(call, "flags", head.flags, CONSTRAINT_FLAGS);
 	if (call->result == CN_OK)
 		cni_joint_def_check(call, type, def);

@@ -1,6 +1,6 @@
 /*
- * world/contacts.c - public functions on contacts: the event arrays of the last step, callbacks, a body's
- * contacts, the bodies that fell asleep. Event arrays are built from the logs on the first request.
+ * world/contacts.c - public functions on contacts: the event arrays of the last step, callbacks, the contacts of a body or a shape,
+ * the visitors of a sensor, the bodies that fell asleep. Event arrays are built from the logs on the first request.
  */
 #include "world/define.h"
 
@@ -30,20 +30,78 @@ cn_result cn_world_set_contact_callback(cn_world *world, int32_t kind, cn_contac
 	return CN_OK;
 }
 
+/* ------------------------------------------------------------------ lists */
+
+static void contact_read(const cn_world *world, int32_t key, cn_contact_event *out)
+{
+	uint32_t touching = cni_contact_of_key(world, key)->flags & CNI_CONTACT_TOUCHING;
+	cni_contact_describe(world, key >> 1, touching ? CN_EVENT_STAY : CN_EVENT_CREATED, out);
+}
+
 cn_result cn_body_get_contacts(const cn_world *world, cn_body body, cn_contact_event *out, int32_t capacity, int32_t *out_count)
 {
 	cni_call call = cni_enter_const(world);
 	const cni_body *b = cni_check_body(&call, "body", body);
 	int32_t key, count = 0;
-	cni_check_capacity(&call, "out", out, capacity);
-	cni_check_pointer(&call, "out_count", out_count);
+	cni_check_output(&call, out, capacity, out_count);
 	if (call.result != CN_OK)
 		return call.result;
-	for (key = b->contact_first; key != CNI_NONE && count < capacity; key = cni_contact_of_key(world, key)->next[key & 1]) {
-		uint32_t touching = cni_contact_of_key(world, key)->flags & CNI_CONTACT_TOUCHING;
-		cni_contact_describe(world, key >> 1, touching ? CN_EVENT_STAY : CN_EVENT_CREATED, out + count++);
-	}
+	for (key = b->contact_first; key != CNI_NONE && count < capacity; key = cni_contact_of_key(world, key)->next[key & 1])
+		contact_read(world, key, out + count++);
 	*out_count = b->contact_count;
+	return CN_OK;
+}
+
+cn_result cn_shape_get_contacts(const cn_world *world, cn_shape shape, cn_contact_event *out, int32_t capacity, int32_t *out_count)
+{
+	cni_call call = cni_enter_const(world);
+	int32_t key, index = cni_shape_index(world, shape), count = 0;
+	cni_check_shape(&call, "shape", shape);
+	cni_check_output(&call, out, capacity, out_count);
+	if (call.result != CN_OK)
+		return call.result;
+	for (key = cni_contact_first_of_shape(world, index); key != CNI_NONE; key = cni_contact_next_of_shape(world, key, index), ++count)
+		if (count < capacity)
+			contact_read(world, key, out + count);
+	*out_count = count;
+	return CN_OK;
+}
+
+/* The shape that is in the sensor according to a contact, or CNI_NONE. */
+static int32_t visitor_of(const cn_world *world, int32_t key, int32_t sensor)
+{
+	const cni_contact *c = cni_contact_of_key(world, key);
+	int32_t side = cni_proxy_at(world, c->proxy[0])->shape == sensor;
+	return c->flags & CNI_CONTACT_SENSING ? cni_proxy_at(world, c->proxy[side])->shape : CNI_NONE;
+}
+
+/* Whether an earlier contact has the same visitor: chains have a contact for each edge. */
+static int32_t is_listed(const cn_world *world, int32_t until, int32_t sensor, int32_t visitor)
+{
+	int32_t key = cni_contact_first_of_shape(world, sensor);
+	while (key != until && visitor_of(world, key, sensor) != visitor)
+		key = cni_contact_next_of_shape(world, key, sensor);
+	return key != until;
+}
+
+cn_result cn_shape_get_visitors(const cn_world *world, cn_shape sensor, cn_shape *out, int32_t capacity, int32_t *out_count)
+{
+	cni_call call = cni_enter_const(world);
+	const cni_shape *s = cni_check_shape(&call, "sensor", sensor);
+	cni_list list = cni_list_begin(&call, out, capacity, out_count);
+	int32_t key, visitor, index = cni_shape_index(world, sensor);
+	if (call.result == CN_OK && !(s->flags & CN_SHAPE_SENSOR))
+		cni_refuse(&call, CN_ERROR_STATE, "the shape is no sensor");
+	if (call.result != CN_OK)
+		return call.result;
+	for (key = cni_contact_first_of_shape(world, index); key != CNI_NONE; key = cni_contact_next_of_shape(world, key, index)) {
+		visitor = visitor_of(world, key, index);
+		if (visitor == CNI_NONE)
+			continue;
+		if ((cni_shape_children(&world->blocks, s) == 1 && cni_shape_children(&world->blocks, cni_shape_at(world, visitor)) == 1) || !is_listed(world, key, index, visitor))
+			cni_list_add(&list, cni_handles_of(&world->shape_handles, visitor));
+	}
+	*out_count = list.count;
 	return CN_OK;
 }
 

@@ -16,10 +16,8 @@
 
 void cn_world_def_init(cn_world_def *def)
 {
-	if (def == NULL)
+	if (!cni_def_begin(def, sizeof *def))
 		return;
-	memset(def, 0, sizeof *def);
-	def->struct_size = (uint32_t)sizeof *def;
 	def->flags = CNI_WORLD_FLAGS & ~(uint32_t)CN_WORLD_PROFILE;
 	def->gravity_mps2.y = -10.0f;
 	def->length_unit_m = 1.0f;
@@ -82,10 +80,8 @@ static void def_check_memory(cni_call *call, const cn_world_def *d)
 
 static void def_check(cni_call *call, const cn_world_def *d)
 {
-	cni_check_pointer(call, "def", d);
-	if (call->result != CN_OK)
+	if (!cni_check_def(call, d, sizeof *d, "cn_world_def_init"))
 		return;
-	cni_check_struct_size(call, d->struct_size, sizeof *d, "cn_world_def_init");
 	cni_check_flags(call, "flags", d->flags, CNI_WORLD_FLAGS);
 	def_check_numbers(call, d);
 	def_check_memory(call, d);
@@ -139,49 +135,70 @@ static void settings_resolve(cni_settings *set, const cn_world_def *d)
 
 /* ---- tables ---- */
 
-/* Tables and arrays of the world: where they are, and the size of an item. */
+/* How many items a world of given capacities has room for. */
+enum {
+	ROOM_NONE, /* on demand, or in the arena */
+	ROOM_BODIES,
+	ROOM_SHAPES,
+	ROOM_JOINTS,
+	ROOM_CONTACTS,
+	ROOM_DENSE,  /* awake bodies and the dummy */
+	ROOM_ISLANDS,
+	ROOM_BLOCKS, /* of contacts in any colours: cni_lane_reserve */
+	ROOM_JOINT_BLOCKS,
+	/* In a fixed block only; growing worlds make these on demand. */
+	ROOM_KICKED,
+	ROOM_MOVED,
+	ROOM_PAIRS,
+	ROOM_SLEEP_LANES,
+	ROOM_DIRECT_ISLANDS,
+	ROOM_PLAN,
+	ROOMS
+};
+
+/* Tables and arrays of the world: where they are, the size of an item, and their room. */
 typedef struct table_of_world {
-	uint16_t offset, item_bytes, page_shift;
+	uint16_t offset, item_bytes, page_shift, room;
 } table_of_world;
 
 typedef struct array_of_world {
-	uint16_t offset, item_bytes;
+	uint16_t offset, item_bytes, room;
 } array_of_world;
 
-#define TABLE(member, item, page_shift) { offsetof(cn_world, member), sizeof(item), page_shift }
+#define TABLE(member, item, page_shift, room) { offsetof(cn_world, member), sizeof(item), page_shift, room }
 static const table_of_world world_tables[] = {
-	TABLE(bodies, cni_body, CNI_PAGE_BODIES),
-	TABLE(readback, cn_body_moved, CNI_PAGE_READBACK),
-	TABLE(shapes, cni_shape, CNI_PAGE_SHAPES),
-	TABLE(proxies, cni_proxy, CNI_PAGE_PROXIES),
-	TABLE(contacts, cni_contact, CNI_PAGE_CONTACTS),
-	TABLE(blocks_hot, cni_contact_block, CNI_PAGE_BLOCKS),
-	TABLE(blocks_info, cni_block_info, CNI_PAGE_BLOCKS),
-	TABLE(blocks_anchor, cni_block_anchor, CNI_PAGE_BLOCKS),
-	TABLE(blocks_extra, cni_block_extra, CNI_PAGE_BLOCKS),
-	TABLE(joints, cni_joint, CNI_PAGE_JOINTS),
-	TABLE(islands, cni_island, CNI_PAGE_ISLANDS),
+	TABLE(bodies, cni_body, CNI_PAGE_BODIES, ROOM_BODIES),
+	TABLE(readback, cn_body_moved, CNI_PAGE_READBACK, ROOM_MOVED),
+	TABLE(shapes, cni_shape, CNI_PAGE_SHAPES, ROOM_SHAPES),
+	TABLE(proxies, cni_proxy, CNI_PAGE_PROXIES, ROOM_SHAPES),
+	TABLE(contacts, cni_contact, CNI_PAGE_CONTACTS, ROOM_CONTACTS),
+	TABLE(blocks_hot, cni_contact_block, CNI_PAGE_BLOCKS, ROOM_BLOCKS),
+	TABLE(blocks_info, cni_block_info, CNI_PAGE_BLOCKS, ROOM_BLOCKS),
+	TABLE(blocks_anchor, cni_block_anchor, CNI_PAGE_BLOCKS, ROOM_BLOCKS),
+	TABLE(blocks_extra, cni_block_extra, CNI_PAGE_BLOCKS, ROOM_NONE),
+	TABLE(joints, cni_joint, CNI_PAGE_JOINTS, ROOM_JOINTS),
+	TABLE(islands, cni_island, CNI_PAGE_ISLANDS, ROOM_ISLANDS),
 };
 
-#define ARRAY(member, item_bytes) { offsetof(cn_world, member), item_bytes }
+#define ARRAY(member, item_bytes, room) { offsetof(cn_world, member), item_bytes, room }
 static const array_of_world world_arrays[] = {
-	ARRAY(motion, sizeof(cni_motion)),
-	ARRAY(start, sizeof(cni_velocity_start)),
-	ARRAY(external, sizeof(cni_external)),
-	ARRAY(awake_id, sizeof(int32_t)),
-	ARRAY(kicked, sizeof(cn_body)),
-	ARRAY(previous, sizeof(cni_previous)),
-	ARRAY(apart, sizeof(int32_t)),
-	ARRAY(awake_joints, sizeof(int32_t)),
-	ARRAY(direct_islands, sizeof(int32_t)),
-	ARRAY(direct_plans[0], CNI_KEPT_BYTES),
-	ARRAY(direct_plans[1], CNI_KEPT_BYTES),
-	ARRAY(joint_work, CNI_JOINT_CONSTRAINT_BYTES),
-	ARRAY(block_list, sizeof(cni_listed_block)),
-	ARRAY(joint_blocks, sizeof(cni_joint_block)),
-	ARRAY(sleep_lanes, sizeof(cni_sleep_lane)),
-	ARRAY(pairs.list, sizeof(cni_pair)),
-	ARRAY(areas, sizeof(cni_area)),
+	ARRAY(motion, sizeof(cni_motion), ROOM_DENSE),
+	ARRAY(start, sizeof(cni_velocity_start), ROOM_DENSE),
+	ARRAY(external, sizeof(cni_external), ROOM_DENSE),
+	ARRAY(awake_id, sizeof(int32_t), ROOM_DENSE),
+	ARRAY(kicked, sizeof(cn_body), ROOM_KICKED),
+	ARRAY(previous, sizeof(cni_previous), ROOM_MOVED),
+	ARRAY(apart, sizeof(int32_t), ROOM_CONTACTS),
+	ARRAY(awake_joints, sizeof(int32_t), ROOM_JOINTS),
+	ARRAY(direct_islands, sizeof(int32_t), ROOM_DIRECT_ISLANDS),
+	ARRAY(direct_plans[0], CNI_KEPT_BYTES, ROOM_PLAN),
+	ARRAY(direct_plans[1], CNI_KEPT_BYTES, ROOM_NONE),
+	ARRAY(joint_work, CNI_JOINT_CONSTRAINT_BYTES, ROOM_JOINTS),
+	ARRAY(block_list, sizeof(cni_listed_block), ROOM_BLOCKS),
+	ARRAY(joint_blocks, sizeof(cni_joint_block), ROOM_JOINT_BLOCKS),
+	ARRAY(sleep_lanes, sizeof(cni_sleep_lane), ROOM_SLEEP_LANES),
+	ARRAY(pairs.list, sizeof(cni_pair), ROOM_PAIRS),
+	ARRAY(areas, sizeof(cni_area), ROOM_NONE),
 };
 
 #define COUNT_OF(list) ((int32_t)(sizeof(list) / sizeof((list)[0])))
@@ -225,18 +242,15 @@ static void tables_deinit(cn_world *world)
 	cni_events_deinit(&world->events, memory);
 }
 
-/* Creates the dummy body at dense index 0, with room for others: infinite mass, never moves. */
-static cn_result dummy_create(cn_world *world, int32_t bodies)
+/* Creates the dummy body at dense index 0, in reserved memory: infinite mass, never moves. */
+static void dummy_create(cn_world *world)
 {
-	if (cni_body_reserve(world, bodies) != CN_OK)
-		return CN_ERROR_MEMORY;
 	world->awake_count = 1;
 	world->motion.count = world->start.count = world->external.count = world->awake_id.count = 1;
 	memset(cni_motions(world), 0, sizeof(cni_motion));
 	memset(cni_starts(world), 0, sizeof(cni_velocity_start));
 	memset(cni_externals(world), 0, sizeof(cni_external));
 	cni_awake_ids(world)[0] = CNI_NONE;
-	return CN_OK;
 }
 
 static const cni_broadphase_ops *broadphase_choice(int32_t broadphase)
@@ -277,26 +291,6 @@ static cn_result team_create(cn_world *world, const cn_world_def *d)
 
 /* ---- capacities ---- */
 
-#define SPARE_BYTES 0u /* what the first allocations leave between others when they grow */
-
-/* Slots that have worn out their index are found by a list of aliases, which a fixed world has beforehand. */
-static int32_t reserve_handles(cn_world *world, const cn_world_def *d, cni_handles *handles, int32_t capacity)
-{
-	return cni_handles_reserve(handles, &world->memory, capacity) == CN_OK &&
-	       (d->memory == NULL || cni_handles_reserve_aliases(handles, &world->memory, capacity));
-}
-
-static int32_t reserve_records(cn_world *world, const cn_world_def *d)
-{
-	cni_memory *m = &world->memory;
-	int32_t bodies = d->body_capacity, shapes = d->shape_capacity, joints = d->joint_capacity;
-	return reserve_handles(world, d, &world->body_handles, bodies) && cni_table_reserve(&world->bodies, m, bodies) &&
-	       reserve_handles(world, d, &world->shape_handles, shapes) && cni_table_reserve(&world->shapes, m, shapes) &&
-	       reserve_handles(world, d, &world->joint_handles, joints) && cni_table_reserve(&world->joints, m, joints) &&
-	       cni_table_reserve(&world->proxies, m, d->shape_capacity) &&
-	       cni_island_reserve(world, d->body_capacity / 2 + 2);
-}
-
 static int32_t or_contacts(int32_t capacity, const cn_world_def *d)
 {
 	return capacity == CN_DEFAULT ? d->contact_capacity : cni_min_i(capacity, d->contact_capacity);
@@ -306,15 +300,6 @@ static int32_t touching_of(const cn_world_def *d) { return or_contacts(d->touchi
 static int32_t events_of(const cn_world_def *d) { return or_contacts(d->event_capacity, d); }
 static int32_t reserves(const cn_world_def *d, uint32_t what) { return (d->reserve & what) != 0; }
 
-static int32_t reserve_contacts(cn_world *world, const cn_world_def *d)
-{
-	cni_memory *m = &world->memory;
-	return cni_contact_reserve(world, d->contact_capacity) == CN_OK && cni_lane_reserve(world, touching_of(d)) &&
-	       cni_array_reserve_exact(&world->awake_joints, m, d->joint_capacity) &&
-	       cni_array_reserve_exact(&world->joint_work, m, d->joint_capacity) &&
-	       cni_array_reserve_exact(&world->joint_blocks, m, cni_joint_blocks_for(d->joint_capacity));
-}
-
 static int32_t reserve_pieces(cn_world *world, const cn_world_def *d)
 {
 	cni_blocks *blocks = &world->blocks;
@@ -323,13 +308,10 @@ static int32_t reserve_pieces(cn_world *world, const cn_world_def *d)
 	       (!reserves(d, CN_RESERVE_NAMES) || cni_blocks_reserve(blocks, CN_NAME_MAX_BYTES + 1, d->body_capacity));
 }
 
-/* See cni_lane_reserve. */
 static int32_t blocks_for(int32_t lanes)
 {
 	return lanes / CNI_LANES + (CNI_LANES == 1 ? 0 : cni_min_i(lanes, CNI_COLORS));
 }
-
-static int32_t sleep_lanes_for(int32_t lanes) { return CNI_SLEEP_IN_BLOCKS ? 0 : lanes; }
 
 /* Most islands: bodies that touch nothing have none. */
 static int32_t islands_for(int32_t bodies)
@@ -340,8 +322,6 @@ static int32_t islands_for(int32_t bodies)
 static uint64_t solver_bytes(const cn_world_def *d)
 {
 	uint64_t bytes = 0;
-	if (CNI_HAS_JOINTS && d->solver != CN_SOLVER_SEQUENTIAL)
-		bytes += cni_row_bytes(d->joint_capacity);
 	if (CNI_HAS_DIRECT)
 		bytes += cni_direct_bytes(d->solver, d->joint_capacity, d->contact_capacity, d->body_capacity);
 	if (CNI_HAS_DIRECT && d->solver == CN_SOLVER_AUTO)
@@ -363,10 +343,46 @@ static uint64_t arena_bytes(const cn_world_def *d)
 	return (scratch > joints ? scratch : joints) + island;
 }
 
-/* Length of the array that keeps the plan of direct solving. */
-static int32_t plan_items(const cn_world_def *d)
+static void rooms_make(const cn_world_def *d, int32_t fixed, int32_t rooms[ROOMS])
 {
-	return CNI_HAS_DIRECT ? (int32_t)(cni_direct_kept_bytes(d->solver, d->joint_capacity, d->contact_capacity) / CNI_KEPT_BYTES) : 0;
+	int32_t bodies = d->body_capacity, contacts = d->contact_capacity, joints = d->joint_capacity;
+	memset(rooms, 0, ROOMS * sizeof rooms[0]);
+	rooms[ROOM_BODIES] = bodies;
+	rooms[ROOM_SHAPES] = d->shape_capacity;
+	rooms[ROOM_JOINTS] = joints;
+	rooms[ROOM_CONTACTS] = contacts;
+	rooms[ROOM_DENSE] = bodies + 1;
+	rooms[ROOM_ISLANDS] = islands_for(bodies);
+	rooms[ROOM_BLOCKS] = blocks_for(touching_of(d));
+	rooms[ROOM_JOINT_BLOCKS] = cni_joint_blocks_for(joints);
+	if (!fixed)
+		return;
+	rooms[ROOM_KICKED] = 2 * bodies;
+	rooms[ROOM_MOVED] = reserves(d, CN_RESERVE_MOVED) ? bodies : 0;
+	rooms[ROOM_PAIRS] = contacts;
+	rooms[ROOM_SLEEP_LANES] = CNI_SLEEP_IN_BLOCKS ? 0 : touching_of(d);
+	rooms[ROOM_DIRECT_ISLANDS] = CNI_HAS_DIRECT ? bodies / 2 : 0;
+	rooms[ROOM_PLAN] = CNI_HAS_DIRECT ? (int32_t)(cni_direct_kept_bytes(d->solver, joints, contacts) / CNI_KEPT_BYTES) : 0;
+}
+
+/* Slots that have worn out their index are found by a list of aliases, which a fixed world has beforehand. */
+static int32_t reserve_handles(cn_world *world, cni_handles *handles, int32_t capacity)
+{
+	return cni_handles_reserve(handles, &world->memory, capacity) == CN_OK &&
+	       (!world->memory.fixed || cni_handles_reserve_aliases(handles, &world->memory, capacity));
+}
+
+static int32_t reserve_rooms(cn_world *world, const cn_world_def *d)
+{
+	int32_t rooms[ROOMS], k, good;
+	rooms_make(d, d->memory != NULL, rooms);
+	good = reserve_handles(world, &world->body_handles, d->body_capacity) && reserve_handles(world, &world->shape_handles, d->shape_capacity) &&
+	       reserve_handles(world, &world->joint_handles, d->joint_capacity);
+	for (k = 0; k < COUNT_OF(world_tables) && good; ++k)
+		good = cni_table_reserve(table_at(world, k), &world->memory, rooms[world_tables[k].room]);
+	for (k = 0; k < COUNT_OF(world_arrays) && good; ++k)
+		good = cni_array_reserve(array_at(world, k), &world->memory, rooms[world_arrays[k].room]);
+	return good;
 }
 
 /* Reserves for a fixed world the arrays that a growing world allocates on demand. */
@@ -382,22 +398,11 @@ static int32_t reserve_events(cn_world *world, const cn_world_def *d)
 	       cni_array_reserve_exact(&events->joint_log, m, d->joint_capacity) && cni_array_reserve_exact(&events->joint_pending, m, d->joint_capacity);
 }
 
-static int32_t reserve_moved(cn_world *world, const cn_world_def *d)
-{
-	cni_memory *m = &world->memory;
-	return cni_array_reserve_exact(&world->events.moved, m, 2 * d->body_capacity + 1) &&
-	       cni_array_reserve_exact(&world->previous, m, d->body_capacity) && cni_table_reserve(&world->readback, m, d->body_capacity);
-}
-
+/* What a fixed world has beside its rooms. */
 static int32_t reserve_rest(cn_world *world, const cn_world_def *d)
 {
-	cni_memory *m = &world->memory;
-	return reserve_events(world, d) && reserve_pieces(world, d) && cni_array_reserve_exact(&world->sleep_lanes, m, sleep_lanes_for(touching_of(d))) &&
-	       cni_array_reserve_exact(&world->pairs.list, m, d->contact_capacity) &&
-	       cni_array_reserve_exact(&world->direct_islands, m, CNI_HAS_DIRECT ? d->body_capacity / 2 : 0) &&
-	       cni_array_reserve_exact(&world->direct_plans[0], m, plan_items(d)) &&
-	       cni_array_reserve_exact(&world->kicked, m, 2 * d->body_capacity) &&
-	       (!reserves(d, CN_RESERVE_MOVED) || reserve_moved(world, d)) &&
+	return reserve_events(world, d) && reserve_pieces(world, d) &&
+	       (!reserves(d, CN_RESERVE_MOVED) || cni_array_reserve_exact(&world->events.moved, &world->memory, 2 * d->body_capacity + 1)) &&
 	       cni_arena_reserve(&world->arena, arena_bytes(d));
 }
 
@@ -418,25 +423,11 @@ static uint64_t pieces_bytes(const cn_world_def *d)
 	return bytes + bytes / 512u + (name + chains > 0u ? 8192u : 512u);
 }
 
-static uint64_t records_bytes(const cn_world_def *d)
+static uint64_t table_bytes(const table_of_world *of, int32_t count)
 {
-	int32_t blocks = blocks_for(touching_of(d)), k;
-	const struct { int32_t item, shift, count; } tables[] = {
-		{ (int32_t)sizeof(cni_body), CNI_PAGE_BODIES, d->body_capacity }, { (int32_t)sizeof(cni_shape), CNI_PAGE_SHAPES, d->shape_capacity },
-		{ (int32_t)sizeof(cni_joint), CNI_PAGE_JOINTS, d->joint_capacity }, { (int32_t)sizeof(cni_proxy), CNI_PAGE_PROXIES, d->shape_capacity },
-		{ (int32_t)sizeof(cni_island), CNI_PAGE_ISLANDS, islands_for(d->body_capacity) }, { (int32_t)sizeof(cni_contact), CNI_PAGE_CONTACTS, d->contact_capacity },
-		{ (int32_t)sizeof(cni_contact_block), CNI_PAGE_BLOCKS, blocks }, { (int32_t)sizeof(cni_block_info), CNI_PAGE_BLOCKS, blocks },
-		{ (int32_t)sizeof(cni_block_anchor), CNI_PAGE_BLOCKS, blocks },
-		{ (int32_t)sizeof(cni_block_extra), CNI_PAGE_BLOCKS, reserves(d, CN_RESERVE_EXTRA_ROWS) ? blocks : 0 },
-		{ (int32_t)sizeof(cn_body_moved), CNI_PAGE_READBACK, reserves(d, CN_RESERVE_MOVED) ? d->body_capacity : 0 }
-	};
-	uint64_t bytes = 0;
-	for (k = 0; k < (int32_t)(sizeof tables / sizeof tables[0]); ++k) {
-		cni_table table;
-		cni_table_init(&table, tables[k].item, tables[k].shift);
-		bytes += cni_table_bytes_for(&table, tables[k].count);
-	}
-	return bytes;
+	cni_table table;
+	cni_table_init(&table, of->item_bytes, of->page_shift);
+	return cni_table_bytes_for(&table, count);
 }
 
 static uint64_t handles_bytes(int32_t n)
@@ -444,40 +435,29 @@ static uint64_t handles_bytes(int32_t n)
 	return array_bytes(n, sizeof(uint32_t)) + 2u * array_bytes(n, sizeof(cni_alias));
 }
 
-static uint64_t body_arrays_bytes(const cn_world_def *d)
+/* Extra rows are made for all blocks, once some contact needs them. */
+static uint64_t rooms_bytes(const cn_world_def *d)
 {
-	int32_t n = d->body_capacity;
-	uint64_t moved = array_bytes(2 * n + 1, sizeof(cn_body_moved)) + array_bytes(n, sizeof(cni_previous));
-	return array_bytes(n + 1, sizeof(cni_motion)) + array_bytes(n + 1, sizeof(cni_velocity_start)) + array_bytes(n + 1, sizeof(cni_external)) +
-	       array_bytes(n + 1, sizeof(int32_t)) + 2u * array_bytes(2 * n, sizeof(cn_body)) + array_bytes(CNI_HAS_DIRECT ? n / 2 : 0, sizeof(int32_t)) +
-	       (reserves(d, CN_RESERVE_MOVED) ? moved : 0u) + handles_bytes(n);
+	int32_t rooms[ROOMS], k;
+	uint64_t bytes = handles_bytes(d->body_capacity) + handles_bytes(d->shape_capacity) + handles_bytes(d->joint_capacity);
+	rooms_make(d, 1, rooms);
+	for (k = 0; k < COUNT_OF(world_tables); ++k) {
+		int32_t extra = world_tables[k].offset == offsetof(cn_world, blocks_extra) && reserves(d, CN_RESERVE_EXTRA_ROWS);
+		bytes += table_bytes(&world_tables[k], rooms[extra ? ROOM_BLOCKS : world_tables[k].room]);
+	}
+	for (k = 0; k < COUNT_OF(world_arrays); ++k)
+		bytes += array_bytes(rooms[world_arrays[k].room], world_arrays[k].item_bytes);
+	return bytes;
 }
 
 /* The last line is for the event arrays that users request: all events of a contact in a step except its creation, for twice as many
    contacts, because these arrays grow; half of them may have hits. */
-static uint64_t event_arrays_bytes(int32_t n)
+static uint64_t event_arrays_bytes(const cn_world_def *d)
 {
-	return 6u * array_bytes(n, sizeof(cni_event)) + array_bytes(n, sizeof(cni_event_stay)) + array_bytes(n, sizeof(cn_contact_event)) +
+	int32_t n = events_of(d);
+	return array_bytes(2 * d->body_capacity, sizeof(cn_body)) + 2u * array_bytes(d->joint_capacity, sizeof(cn_joint_event)) +
+	       (reserves(d, CN_RESERVE_MOVED) ? array_bytes(2 * d->body_capacity + 1, sizeof(cn_body_moved)) : 0u) + 6u * array_bytes(n, sizeof(cni_event)) + array_bytes(n, sizeof(cni_event_stay)) + array_bytes(n, sizeof(cn_contact_event)) +
 	       2u * array_bytes(n, sizeof(cn_sensor_event)) + 3u * array_bytes(n, sizeof(cn_contact_event));
-}
-
-static uint64_t contact_arrays_bytes(int32_t contacts, int32_t touching)
-{
-	return array_bytes(contacts, sizeof(int32_t)) + array_bytes(contacts, sizeof(cni_pair)) + array_bytes(blocks_for(touching), sizeof(cni_listed_block)) +
-	       array_bytes(sleep_lanes_for(touching), sizeof(cni_sleep_lane));
-}
-
-static uint64_t joint_arrays_bytes(int32_t joints)
-{
-	return 2u * array_bytes(joints, sizeof(cn_joint_event)) + handles_bytes(joints) + array_bytes(joints, CNI_JOINT_CONSTRAINT_BYTES) +
-	       array_bytes(joints, sizeof(int32_t)) + array_bytes(cni_joint_blocks_for(joints), sizeof(cni_joint_block));
-}
-
-static uint64_t arrays_bytes(const cn_world_def *d)
-{
-	return body_arrays_bytes(d) + contact_arrays_bytes(d->contact_capacity, touching_of(d)) + event_arrays_bytes(events_of(d)) +
-	       handles_bytes(d->shape_capacity) + joint_arrays_bytes(d->joint_capacity) + array_bytes(1, (size_t)arena_bytes(d)) +
-	       array_bytes(plan_items(d), CNI_KEPT_BYTES);
 }
 
 cn_result cn_world_bytes_needed(const cn_world_def *def, uint64_t *out_bytes)
@@ -487,8 +467,8 @@ cn_result cn_world_bytes_needed(const cn_world_def *def, uint64_t *out_bytes)
 	cni_check_pointer(&call, "out_bytes", out_bytes);
 	if (call.result != CN_OK)
 		return call.result;
-	*out_bytes = cni_memory_rounded(sizeof(cn_world)) + records_bytes(def) + arrays_bytes(def) + pieces_bytes(def) +
-	             broadphase_choice(def->broadphase)->bytes_needed(def->shape_capacity) + SPARE_BYTES;
+	*out_bytes = cni_memory_rounded(sizeof(cn_world)) + rooms_bytes(def) + event_arrays_bytes(def) + array_bytes(1, (size_t)arena_bytes(def)) +
+	             pieces_bytes(def) + broadphase_choice(def->broadphase)->bytes_needed(def->shape_capacity);
 	if (cni_team_possible(def->worker_count, def->enqueue))
 		*out_bytes += cni_memory_rounded(cni_team_bytes(def->worker_count));
 	return CN_OK;
@@ -533,13 +513,13 @@ cn_result cn_world_create(const cn_world_def *def, cn_world **out_world)
 	tables_init(world);
 	world->event_capacity = events_of(def);
 	world->vertex_capacity = def->memory != NULL ? def->vertex_capacity : 0;
-	created = dummy_create(world, def->body_capacity) == CN_OK && broadphase_create(world, def->shape_capacity) == CN_OK &&
-	       reserve_records(world, def) && reserve_contacts(world, def) &&
-	       (def->memory == NULL || reserve_rest(world, def)) && team_create(world, def) == CN_OK;
+	created = broadphase_create(world, def->shape_capacity) == CN_OK && reserve_rooms(world, def) &&
+	          (def->memory == NULL || reserve_rest(world, def)) && team_create(world, def) == CN_OK;
 	if (!created) {
 		cn_world_destroy(world);
 		return CN_ERROR_MEMORY;
 	}
+	dummy_create(world);
 	*out_world = world;
 	return CN_OK;
 }

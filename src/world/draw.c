@@ -22,10 +22,8 @@ enum {
 
 void cn_debug_draw_init(cn_debug_draw *draw)
 {
-	if (draw == NULL)
+	if (!cni_def_begin(draw, sizeof *draw))
 		return;
-	memset(draw, 0, sizeof *draw);
-	draw->struct_size = (uint32_t)sizeof *draw;
 	draw->flags = CN_DRAW_SHAPES | CN_DRAW_JOINTS | CN_DRAW_CONTACTS;
 	draw->view.lower_m = cni_v(-FLT_MAX, -FLT_MAX);
 	draw->view.upper_m = cni_v(FLT_MAX, FLT_MAX);
@@ -33,21 +31,13 @@ void cn_debug_draw_init(cn_debug_draw *draw)
 
 static int32_t in_view(const cn_debug_draw *d, const cni_aabb *box)
 {
-	cni_aabb view;
-	view.x0 = d->view.lower_m.x;
-	view.y0 = d->view.lower_m.y;
-	view.x1 = d->view.upper_m.x;
-	view.y1 = d->view.upper_m.y;
+	cni_aabb view = cni_aabb_of(d->view.lower_m, d->view.upper_m);
 	return cni_aabb_overlap(&view, box);
 }
 
 static int32_t span_in_view(const cn_debug_draw *d, cni_vec2 a, cni_vec2 b)
 {
-	cni_aabb box;
-	box.x0 = cni_min(a.x, b.x);
-	box.y0 = cni_min(a.y, b.y);
-	box.x1 = cni_max(a.x, b.x);
-	box.y1 = cni_max(a.y, b.y);
+	cni_aabb box = cni_aabb_of_segment(a, b);
 	return in_view(d, &box);
 }
 
@@ -202,12 +192,8 @@ cn_result cn_world_draw(const cn_world *world, const cn_debug_draw *draw)
 {
 	cni_call call = cni_enter_const(world);
 	int32_t k, used;
-	cni_check_pointer(&call, "draw", draw);
-	if (call.result == CN_OK)
-		cni_check_struct_size(&call, draw->struct_size, sizeof *draw, "cn_debug_draw_init");
-	if (call.result == CN_OK)
+	if (cni_check_def(&call, draw, sizeof *draw, "cn_debug_draw_init")) {
 		cni_check_flags(&call, "flags", draw->flags, CN_DRAW_SHAPES | CN_DRAW_JOINTS | CN_DRAW_CONTACTS | CN_DRAW_AABBS | CN_DRAW_CENTERS | CN_DRAW_ISLANDS);
-	if (call.result == CN_OK) {
 		cni_check_finite2(&call, "view.lower_m", draw->view.lower_m);
 		cni_check_finite2(&call, "view.upper_m", draw->view.upper_m);
 	}

@@ -57,7 +57,8 @@ void cni_text_int(cni_text *text, int64_t value)
 	text_digits(text, value < 0 ? (uint64_t)0 - (uint64_t)value : (uint64_t)value, 10, 1);
 }
 
-void cni_text_hex(cni_text *text, uint32_t value)
+/* As 0x and digits: flags and handles. */
+static void text_hex(cni_text *text, uint32_t value)
 {
 	cni_text_string(text, "0x");
 	text_digits(text, value, 16, 1);
@@ -247,7 +248,7 @@ static void refuse_in_words(cni_call *call, cn_result result, const char *format
 		case 's': cni_text_string(&text, va_arg(values, const char *)); break;
 		case 'f': cni_text_float(&text, float_of(va_arg(values, uint32_t))); break;
 		case 'i': cni_text_int(&text, va_arg(values, int64_t)); break;
-		case 'x': cni_text_hex(&text, va_arg(values, uint32_t)); break;
+		case 'x': text_hex(&text, va_arg(values, uint32_t)); break;
 		default: text_char(&text, *format); break;
 		}
 	}
@@ -329,10 +330,12 @@ void cni_check_array(cni_call *call, const char *field, const void *array, int32
 		cni_check_pointer(call, field, array);
 }
 
-void cni_check_struct_size(cni_call *call, uint32_t given, size_t expected, const char *init)
+int32_t cni_check_def(cni_call *call, const void *def, size_t bytes, const char *init)
 {
-	if (given != (uint32_t)expected)
-		refuse(call, CN_ERROR_ARGUMENT, "struct_size %i; must be %i: call %s first", (int64_t)given, (int64_t)expected, init);
+	cni_check_pointer(call, "def", def);
+	if (call->result == CN_OK && *(const uint32_t *)def != (uint32_t)bytes)
+		refuse(call, CN_ERROR_ARGUMENT, "struct_size %i; must be %i: call %s first", (int64_t)*(const uint32_t *)def, (int64_t)bytes, init);
+	return call->result == CN_OK;
 }
 
 /* ------------------------------------------------------------------ checks of numbers */
@@ -503,14 +506,19 @@ void cni_check_capacity(cni_call *call, const char *field, const void *out, int3
 		cni_check_pointer(call, field, out);
 }
 
+void cni_check_output(cni_call *call, const void *out, int32_t capacity, const int32_t *out_count)
+{
+	cni_check_capacity(call, "out", out, capacity);
+	cni_check_pointer(call, "out_count", out_count);
+}
+
 cni_list cni_list_begin(cni_call *call, uint32_t *out, int32_t capacity, const int32_t *out_count)
 {
 	cni_list list;
 	list.out = out;
 	list.capacity = capacity;
 	list.count = 0;
-	cni_check_capacity(call, "out", out, capacity);
-	cni_check_pointer(call, "out_count", out_count);
+	cni_check_output(call, out, capacity, out_count);
 	return list;
 }
 

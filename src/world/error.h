@@ -18,6 +18,8 @@
 #ifndef CNI_WORLD_ERROR_H
 #define CNI_WORLD_ERROR_H
 
+#include <string.h>
+
 #include "model/world.h"
 
 /* Coordinates up to this many length units are accepted. */
@@ -49,8 +51,6 @@ typedef struct cni_text {
 cni_text cni_text_begin(char *out, int32_t capacity);
 void cni_text_string(cni_text *text, const char *string);
 void cni_text_int(cni_text *text, int64_t value);
-/* As 0x and digits: flags and handles. */
-void cni_text_hex(cni_text *text, uint32_t value);
 /* Six significant digits, "nan", "inf", "-inf". */
 void cni_text_float(cni_text *text, float value);
 
@@ -88,7 +88,20 @@ void cni_check_pointer(cni_call *call, const char *field, const void *pointer);
 void cni_check_array(cni_call *call, const char *field, const void *array, int32_t count);
 /* capacity >= 0; out not NULL unless capacity is 0. */
 void cni_check_capacity(cni_call *call, const char *field, const void *out, int32_t capacity);
-void cni_check_struct_size(cni_call *call, uint32_t given, size_t expected, const char *init);
+/* The results of a list: capacity, out and out_count. */
+void cni_check_output(cni_call *call, const void *out, int32_t capacity, const int32_t *out_count);
+/* Zeros a definition and sets its first member, struct_size. 0 for NULL. */
+static inline int32_t cni_def_begin(void *def, size_t bytes)
+{
+	if (def == NULL)
+		return 0;
+	memset(def, 0, bytes);
+	*(uint32_t *)def = (uint32_t)bytes;
+	return 1;
+}
+
+/* def comes from its init function. Returns 1 unless the call has failed. */
+int32_t cni_check_def(cni_call *call, const void *def, size_t bytes, const char *init);
 
 void cni_check_finite(cni_call *call, const char *field, float value);
 void cni_check_finite2(cni_call *call, const char *field, cn_vec2 value);

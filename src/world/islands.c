@@ -40,11 +40,6 @@ static float overlap_of(const cn_world *world, int32_t contact)
 	return deepest;
 }
 
-static int32_t side_is_dynamic(const cn_world *world, int32_t body)
-{
-	return body != CNI_NONE && cni_body_at(world, body)->type == CN_BODY_DYNAMIC;
-}
-
 /* Gap of a rigid joint in metres; 0 for joints that may yield. */
 static float gap_of(const cn_world *world, const cni_joint *j)
 {
@@ -53,7 +48,7 @@ static float gap_of(const cn_world *world, const cni_joint *j)
 	if (j->stiffness_hertz > 0.0f || j->force_max > 0.0f || j->torque_max > 0.0f)
 		return 0.0f;
 	for (side = 0; side < 2; ++side)
-		if (side_is_dynamic(world, j->body[side]))
+		if (cni_is_dynamic(world, j->body[side]))
 			extent = cni_max(extent, cni_body_at(world, j->body[side])->extent);
 	cni_joint_error(world, j, &metres, &radians);
 	return cni_max(metres, extent * radians);
@@ -67,38 +62,26 @@ static void report_add_body(const cn_world *world, int32_t body, cn_island_repor
 	++out->bodies;
 	for (key = b->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
 		const cni_contact *c = cni_contact_of_key(world, key);
-		if (!(c->flags & CNI_CONTACT_TOUCHING) || ((key & 1) && side_is_dynamic(world, c->body[0])))
+		if (!(c->flags & CNI_CONTACT_TOUCHING) || ((key & 1) && cni_is_dynamic(world, c->body[0])))
 			continue;
 		++out->contacts;
 		out->residual_m = cni_max(out->residual_m, overlap_of(world, key >> 1));
 	}
 	for (key = b->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1]) {
 		const cni_joint *j = cni_joint_at(world, key >> 1);
-		if (j->awake == CNI_NONE || ((key & 1) && side_is_dynamic(world, j->body[0])))
+		if (j->awake == CNI_NONE || ((key & 1) && cni_is_dynamic(world, j->body[0])))
 			continue;
 		++out->joints;
 		out->residual_m = cni_max(out->residual_m, gap_of(world, j));
 	}
 }
 
-/* Whether the island of a body takes one substep: see step/early_rest.c. Jointed bodies with these flags swing freely. */
-static int32_t has_rested(const cn_world *world, const cni_body *b)
-{
-	const uint32_t rests = CNI_EXTERNAL_FINISHED | CNI_EXTERNAL_TOUCHED;
-	return (cni_externals(world)[b->awake].flags & (rests | CNI_EXTERNAL_JOINTED)) == rests;
-}
-
+/* One where the island of a body rests: see step/early_rest.c. Jointed bodies with these flags swing freely. */
 static int32_t substeps_of(const cn_world *world, const cni_body *b)
 {
-	return world->settings.solver == CN_SOLVER_SEQUENTIAL || has_rested(world, b) ? 1 : world->settings.substeps;
-}
-
-static cn_island_report report_begin(const cn_world *world, int32_t body)
-{
-	cn_island_report r;
-	memset(&r, 0, sizeof r);
-	r.substeps = substeps_of(world, cni_body_at(world, body));
-	return r;
+	const uint32_t rests = CNI_EXTERNAL_FINISHED | CNI_EXTERNAL_TOUCHED;
+	int32_t rested = (cni_externals(world)[b->awake].flags & (rests | CNI_EXTERNAL_JOINTED)) == rests;
+	return world->settings.solver == CN_SOLVER_SEQUENTIAL || rested ? 1 : world->settings.substeps;
 }
 
 /* ---- tier and reason ---- */
@@ -141,25 +124,18 @@ static void report_tier(const cn_world *world, const cni_island *i, cn_island_re
 	}
 }
 
-static void report_island(const cn_world *world, int32_t island, cn_island_report *out)
+/* i: NULL for a body without an island. first: the first body of its list. */
+static void report_make(const cn_world *world, const cni_island *i, int32_t first, cn_island_report *out)
 {
-	const cni_island *i = cni_island_at(world, island);
-	int32_t body, first = i->first;
-	*out = report_begin(world, i->first);
-	for (body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next) {
-		first = cni_min_i(first, body);
+	int32_t body, lowest = first;
+	memset(out, 0, sizeof *out);
+	out->substeps = substeps_of(world, cni_body_at(world, first));
+	for (body = first; body != CNI_NONE; body = cni_body_at(world, body)->island_next) {
+		lowest = cni_min_i(lowest, body);
 		report_add_body(world, body, out);
 	}
-	out->body = cni_handles_of(&world->body_handles, first);
+	out->body = cni_handles_of(&world->body_handles, lowest);
 	report_tier(world, i, out);
-}
-
-static void report_alone(const cn_world *world, int32_t body, cn_island_report *out)
-{
-	*out = report_begin(world, body);
-	report_add_body(world, body, out);
-	out->body = cni_handles_of(&world->body_handles, body);
-	report_tier(world, NULL, out);
 }
 
 /* ---- all of them ---- */
@@ -174,8 +150,7 @@ cn_result cn_world_get_islands(const cn_world *world, cn_island_report *out, int
 {
 	cni_call call = cni_enter_const(world);
 	int32_t k, used, count = 0;
-	cni_check_capacity(&call, "out", out, capacity);
-	cni_check_pointer(&call, "out_count", out_count);
+	cni_check_output(&call, out, capacity, out_count);
 	if (call.result != CN_OK)
 		return call.result;
 	for (k = 0; k < world->island_used; ++k) {
@@ -183,7 +158,7 @@ cn_result cn_world_get_islands(const cn_world *world, cn_island_report *out, int
 		if (i->first == CNI_NONE || !i->awake)
 			continue;
 		if (count < capacity)
-			report_island(world, k, &out[count]);
+			report_make(world, i, i->first, &out[count]);
 		++count;
 	}
 	used = cni_handles_used(&world->body_handles);
@@ -191,7 +166,7 @@ cn_result cn_world_get_islands(const cn_world *world, cn_island_report *out, int
 		if (!cni_handles_alive(&world->body_handles, k) || !body_is_awake_alone(world, k))
 			continue;
 		if (count < capacity)
-			report_alone(world, k, &out[count]);
+			report_make(world, NULL, k, &out[count]);
 		++count;
 	}
 	*out_count = count;

@@ -34,9 +34,6 @@ void cni_joint_def_store(cni_joint *j, const void *def);
 void cni_joint_def_read(const cni_joint *j, void *def);
 /* Revolute: -pi <= lower <= upper <= pi. Distance: 0 <= lower <= upper. Others: lower <= upper. */
 void cni_check_joint_limits(cni_call *call, int32_t type, float lower, float upper);
-/* Stiffness, greatest force and torque, and break thresholds of a type. */
-void cni_check_joint_strength(cni_call *call, int32_t type, const cn_joint_base *base);
-void cni_joint_store_strength(cni_joint *j, const cn_joint_base *base);
 
 /* Reserves memory for one more joint that ends up to this many contacts. */
 void cni_joint_reserve_one(cni_call *call, cn_world *world, int32_t contacts);

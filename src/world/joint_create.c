@@ -29,7 +29,8 @@ static void check_bodies(cni_call *call, const cn_joint_base *base)
 	cni_check_position(call, "anchor_b_m", base->anchor_b_m);
 }
 
-void cni_check_joint_strength(cni_call *call, int32_t type, const cn_joint_base *base)
+/* Stiffness, greatest force and torque, and break thresholds of a type. */
+static void check_strength(cni_call *call, int32_t type, const cn_joint_base *base)
 {
 	cni_check_above_0_or_default(call, "stiffness_hertz", base->stiffness_hertz, CNI_HERTZ_MAX);
 	cni_check_range(call, "stiffness_damping_ratio", base->stiffness_damping_ratio, 0.0f, CNI_DAMPING_RATIO_MAX);
@@ -43,7 +44,7 @@ void cni_check_joint_strength(cni_call *call, int32_t type, const cn_joint_base 
 		cni_check_positive(call, "torque_max_Nm of this type", base->torque_max_Nm);
 }
 
-void cni_joint_store_strength(cni_joint *j, const cn_joint_base *base)
+static void store_strength(cni_joint *j, const cn_joint_base *base)
 {
 	j->stiffness_hertz = cni_zero_of_default(base->stiffness_hertz);
 	j->stiffness_damping = base->stiffness_damping_ratio;
@@ -109,7 +110,7 @@ static void check_def(cni_call *call, int32_t type, const cn_joint_base *base, c
 {
 	const cn_joint_base *given = (const cn_joint_base *)def;
 	cni_check_flags(call, "flags", given->flags, CNI_JOINT_FLAGS);
-	cni_check_joint_strength(call, type, given);
+	check_strength(call, type, given);
 	cni_joint_def_check(call, type, def);
 	if (type == CN_JOINT_MOUSE && base->body_a != 0)
 		cni_refuse(call, CN_ERROR_ARGUMENT, "body_a; must be 0 (the world) in this type");
@@ -124,10 +125,8 @@ static cn_result joint_create(cn_world *world, const char *function, int32_t typ
 	const cn_joint_base *base = (const cn_joint_base *)def;
 	int32_t joint;
 	cni_joint *j;
-	cni_check_pointer(&call, "def", def);
+	cni_check_def(&call, def, kind->bytes, kind->init);
 	cni_check_pointer(&call, "out_joint", out_joint);
-	if (call.result == CN_OK)
-		cni_check_struct_size(&call, base->struct_size, kind->bytes, kind->init);
 	if (call.result != CN_OK)
 		return call.result;
 	check_bodies(&call, base);
@@ -141,7 +140,7 @@ static cn_result joint_create(cn_world *world, const char *function, int32_t typ
 	j->anchor[0] = base->anchor_a_m;
 	j->anchor[1] = base->anchor_b_m;
 	j->user_data = base->user_data;
-	cni_joint_store_strength(j, base);
+	store_strength(j, base);
 	cni_joint_def_store(j, def);
 	cni_joint_turns_begin(world, j);
 	cni_joint_link(world, joint);
@@ -197,7 +196,7 @@ static cn_result joint_set(cn_world *world, const char *function, int32_t type, 
 	if (call.result != CN_OK)
 		return call.result;
 	ratio = j->p[CNI_P_GEAR_RATIO];
-	cni_joint_store_strength(j, base);
+	store_strength(j, base);
 	cni_joint_def_store(j, def);
 	if (type == CN_JOINT_GEAR && j->p[CNI_P_GEAR_RATIO] != ratio)
 		cni_joint_turns_begin(world, j); /* turns counted at another ratio are invalid */
@@ -224,10 +223,10 @@ cn_result cn_joint_set_base(cn_world *world, cn_joint joint, const cn_joint_base
 	cni_joint *j = cni_check_joint(&call, "joint", joint);
 	cni_check_pointer(&call, "base", base);
 	if (call.result == CN_OK)
-		cni_check_joint_strength(&call, j->type, base);
+		check_strength(&call, j->type, base);
 	if (call.result != CN_OK)
 		return call.result;
-	cni_joint_store_strength(j, base);
+	store_strength(j, base);
 	cni_joint_wake_bodies(world, j);
 	return CN_OK;
 }

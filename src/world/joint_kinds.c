@@ -252,12 +252,9 @@ void cni_joint_def_check(cni_call *call, int32_t type, const void *def)
 void cni_joint_def_init(int32_t type, void *def)
 {
 	const cni_joint_kind *kind = cni_joint_kind_of(type);
-	uint32_t bytes = (uint32_t)kind->bytes;
 	int32_t k;
-	if (def == NULL)
+	if (!cni_def_begin(def, kind->bytes))
 		return;
-	memset(def, 0, kind->bytes);
-	memcpy(def, &bytes, sizeof bytes); /* struct_size comes first */
 	for (k = 0; k < kind->field_count; ++k)
 		if (kind->fields[k].values != USER_DATA)
 			memcpy((char *)def + kind->fields[k].in_def, &kind->fields[k].initial, field_bytes(kind->fields + k));

@@ -64,42 +64,24 @@ static void joints_shift(cn_world *world, cni_vec2 offset)
 	world->joint_lanes.lanes = 0;
 }
 
-static cni_aabb box_shift(cni_aabb box, cni_vec2 offset)
-{
-	box.x0 -= offset.x;
-	box.x1 -= offset.x;
-	box.y0 -= offset.y;
-	box.y1 -= offset.y;
-	return box;
-}
-
 /* Rounding may take the margin from a box far from the origin: such a box is made again. */
 static void boxes_shift(cn_world *world, cni_vec2 offset)
 {
 	int32_t k, used = cni_handles_used(&world->body_handles);
 	for (k = 0; k < world->proxy_used; ++k) {
-		cni_aabb box = box_shift(cni_proxy_at(world, k)->fat, offset);
+		cni_aabb box = cni_box_moved(cni_proxy_at(world, k)->fat, cni_neg(offset));
 		if (!(cni_proxy_at(world, k)->flags & CNI_PROXY_ALIVE))
 			continue;
 		cni_proxy_set_fat(cni_proxy_at(world, k), &box);
 		world->broadphase_ops->move(world->broadphase, k);
 		world->broadphase_ops->touch(world->broadphase, k);
 	}
-	world->seams_box = box_shift(world->seams_box, offset);
+	world->seams_box = cni_box_moved(world->seams_box, cni_neg(offset));
 	for (k = 0; k < used; ++k)
 		if (cni_handles_alive(&world->body_handles, k))
 			cni_body_refresh_boxes(world, k);
 	world->pairs_may_repeat |= CNI_PAIRS_ALL;
 	world->broadphase_ops->settle(world->broadphase);
-}
-
-/* Arrays with points that were built from the logs. */
-static void events_forget_built(cni_events *events)
-{
-	int32_t kind;
-	for (kind = 0; kind < CN_EVENT_KINDS; ++kind)
-		events->built[kind] = events->seen[kind].count = 0;
-	events->moved_built = events->moved.count = 0;
 }
 
 cn_result cn_world_shift_origin(cn_world *world, float x_m, float y_m)
@@ -112,7 +94,7 @@ cn_result cn_world_shift_origin(cn_world *world, float x_m, float y_m)
 	bodies_shift(world, offset);
 	joints_shift(world, offset);
 	boxes_shift(world, offset);
-	events_forget_built(&world->events);
+	cni_events_forget_built(&world->events); /* they have points */
 	return CN_OK;
 }
 

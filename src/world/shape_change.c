@@ -72,7 +72,6 @@ static cni_ref piece_reserve(cni_call *call, cn_world *world, const cni_shape *s
 
 static cn_result single_change(cni_call *call, cn_world *world, cn_shape shape, cni_shape_source from)
 {
-	static const cni_transform identity = { { 1.0f, 0.0f }, { 0.0f, 0.0f } };
 	small_geometry fresh;
 	int32_t index = cni_shape_index(world, shape), left;
 	cni_shape *s;
@@ -81,7 +80,7 @@ static cn_result single_change(cni_call *call, cn_world *world, cn_shape shape, 
 	if (call->result != CN_OK)
 		return call->result;
 	s = cni_shape_at(world, index);
-	cni_source_build(&fresh.head, &from, identity);
+	cni_source_build(&fresh.head, &from, cni_identity());
 	cni_check_shape_mass(call, cni_geometry_mass(&fresh.head, s->density));
 	cni_check_ends_of(call, world, s->body);
 	ref = piece_reserve(call, world, s, from.count);
@@ -100,7 +99,6 @@ static cn_result single_change(cni_call *call, cn_world *world, cn_shape shape, 
 
 static cn_result chain_change(cni_call *call, cn_world *world, cn_shape shape, cni_shape_source from)
 {
-	static const cni_transform identity = { { 1.0f, 0.0f }, { 0.0f, 0.0f } };
 	int32_t index = cni_shape_index(world, shape);
 	uint64_t bytes;
 	cni_shape *s;
@@ -116,7 +114,7 @@ static cn_result chain_change(cni_call *call, cn_world *world, cn_shape shape, c
 	ref = cni_blocks_alloc(&world->blocks, bytes);
 	if (ref == 0)
 		return cni_refuse(call, CN_ERROR_MEMORY, "no memory for the shape's geometry");
-	cni_source_build((cni_geometry *)cni_blocks_at(&world->blocks, ref), &from, identity);
+	cni_source_build((cni_geometry *)cni_blocks_at(&world->blocks, ref), &from, cni_identity());
 	cni_check_reserved(call, cni_shape_replace_chain(world, index, ref), "the shape's boxes");
 	if (call->result != CN_OK) {
 		cni_blocks_free(&world->blocks, ref, bytes);

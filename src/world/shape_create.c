@@ -11,10 +11,8 @@
 
 void cn_shape_def_init(cn_shape_def *def)
 {
-	if (def == NULL)
+	if (!cni_def_begin(def, sizeof *def))
 		return;
-	memset(def, 0, sizeof *def);
-	def->struct_size = (uint32_t)sizeof *def;
 	def->density_kgpm2 = 1.0f;
 	def->material.static_friction = 0.6f;
 	def->material.dynamic_friction = 0.6f;
@@ -27,11 +25,7 @@ void cn_shape_def_init(cn_shape_def *def)
 
 static void check_def(cni_call *call, const cn_shape_def *def)
 {
-	cni_check_pointer(call, "def", def);
-	if (call->result != CN_OK)
-		return;
-	cni_check_struct_size(call, def->struct_size, sizeof *def, "cn_shape_def_init");
-	if (call->result != CN_OK)
+	if (!cni_check_def(call, def, sizeof *def, "cn_shape_def_init"))
 		return;
 	if (def->body != 0)
 		cni_check_body(call, "body", def->body);

@@ -20,23 +20,13 @@ static const cni_geometry *geometry_of(cni_call *call, cn_shape shape, int32_t t
 static cni_transform transform_of(const cn_world *world, cn_shape shape)
 {
 	int32_t body = cni_shape_at(world, cni_shape_index(world, shape))->body;
-	cni_transform identity = { { 1.0f, 0.0f }, { 0.0f, 0.0f } };
-	return body == CNI_NONE ? identity : cni_body_transform(cni_body_at(world, body));
+	return body == CNI_NONE ? cni_identity() : cni_body_transform(cni_body_at(world, body));
 }
 
-static void box_store(cni_aabb box, cn_aabb *out)
+static cn_aabb box_of(cni_aabb box)
 {
-	out->lower_m = cni_v(box.x0, box.y0);
-	out->upper_m = cni_v(box.x1, box.y1);
-}
-
-cn_result cn_shape_get_aabb(const cn_world *world, cn_shape shape, cn_aabb *out)
-{
-	cni_call call = cni_enter_const(world);
-	const cni_geometry *g = geometry_of(&call, shape, CNI_NONE, out);
-	if (g != NULL)
-		box_store(cni_geometry_bounds(g, transform_of(world, shape)), out);
-	return call.result;
+	cn_aabb b = { { box.x0, box.y0 }, { box.x1, box.y1 } };
+	return b;
 }
 
 cn_result cn_body_get_aabb(const cn_world *world, cn_body body, cn_aabb *out)
@@ -50,71 +40,62 @@ cn_result cn_body_get_aabb(const cn_world *world, cn_body body, cn_aabb *out)
 	if (call.result != CN_OK)
 		return call.result;
 	x = cni_body_transform(b);
-	box.x0 = box.x1 = x.t.x;
-	box.y0 = box.y1 = x.t.y;
+	box = cni_aabb_of(x.t, x.t);
 	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
 		cni_aabb next = cni_geometry_bounds(cni_shape_geometry(&world->blocks, cni_shape_at(world, shape)), x);
 		box = shape == b->shape_first ? next : cni_aabb_union(&box, &next);
 	}
-	box_store(box, out);
+	*out = box_of(box);
 	return CN_OK;
 }
 
-cn_result cn_shape_get_mass_data(const cn_world *world, cn_shape shape, cn_mass_data *out)
+/* ---- by shape ---- */
+
+static cn_circle circle_of(const cni_geometry *g)
 {
-	cni_call call = cni_enter_const(world);
-	const cni_geometry *g = geometry_of(&call, shape, CNI_NONE, out);
-	if (g != NULL)
-		*out = cni_geometry_mass(g, cni_shape_at(world, cni_shape_index(world, shape))->density);
-	return call.result;
+	cn_circle c = { cni_geometry_points(g)[0], g->radius };
+	return c;
 }
 
-cn_result cn_shape_get_circle(const cn_world *world, cn_shape shape, cn_circle *out)
+static cn_capsule capsule_of(const cni_geometry *g)
 {
-	cni_call call = cni_enter_const(world);
-	const cni_geometry *g = geometry_of(&call, shape, CN_SHAPE_CIRCLE, out);
-	if (g == NULL)
-		return call.result;
-	out->center_m = cni_geometry_points(g)[0];
-	out->radius_m = g->radius;
-	return CN_OK;
+	cn_capsule c = { cni_geometry_points(g)[0], cni_geometry_points(g)[1], g->radius };
+	return c;
 }
 
-cn_result cn_shape_get_capsule(const cn_world *world, cn_shape shape, cn_capsule *out)
+static cn_edge edge_of(const cni_geometry *g)
 {
-	cni_call call = cni_enter_const(world);
-	const cni_geometry *g = geometry_of(&call, shape, CN_SHAPE_CAPSULE, out);
-	if (g == NULL)
-		return call.result;
-	out->a_m = cni_geometry_points(g)[0];
-	out->b_m = cni_geometry_points(g)[1];
-	out->radius_m = g->radius;
-	return CN_OK;
+	cn_edge e = { cni_geometry_points(g)[0], cni_geometry_points(g)[1] };
+	return e;
 }
 
-cn_result cn_shape_get_edge(const cn_world *world, cn_shape shape, cn_edge *out)
+static cn_polygon polygon_of(const cni_geometry *g)
 {
-	cni_call call = cni_enter_const(world);
-	const cni_geometry *g = geometry_of(&call, shape, CN_SHAPE_EDGE, out);
-	if (g == NULL)
-		return call.result;
-	out->a_m = cni_geometry_points(g)[0];
-	out->b_m = cni_geometry_points(g)[1];
-	return CN_OK;
+	cn_polygon p;
+	memset(&p, 0, sizeof p);
+	p.count = g->count;
+	p.radius_m = g->radius;
+	memcpy(p.points_m, cni_geometry_points(g), (size_t)g->count * sizeof(cn_vec2));
+	return p;
 }
 
-cn_result cn_shape_get_polygon(const cn_world *world, cn_shape shape, cn_polygon *out)
-{
-	cni_call call = cni_enter_const(world);
-	const cni_geometry *g = geometry_of(&call, shape, CN_SHAPE_POLYGON, out);
-	if (g == NULL)
-		return call.result;
-	memset(out, 0, sizeof *out);
-	out->count = g->count;
-	out->radius_m = g->radius;
-	memcpy(out->points_m, cni_geometry_points(g), (size_t)g->count * sizeof(cn_vec2));
-	return CN_OK;
-}
+/* Defines cn_shape_get_<what> for shapes of a type: value is an expression of `g`, `world` and `shape`. */
+#define GEOMETRY_GET(what, shape_type, type, value) \
+	cn_result cn_shape_get_##what(const cn_world *world, cn_shape shape, type *out) \
+	{ \
+		cni_call call = cni_enter_const(world); \
+		const cni_geometry *g = geometry_of(&call, shape, shape_type, out); \
+		if (g != NULL) \
+			*out = value; \
+		return call.result; \
+	}
+
+GEOMETRY_GET(aabb, CNI_NONE, cn_aabb, box_of(cni_geometry_bounds(g, transform_of(world, shape))))
+GEOMETRY_GET(mass_data, CNI_NONE, cn_mass_data, cni_geometry_mass(g, cni_shape_at(world, cni_shape_index(world, shape))->density))
+GEOMETRY_GET(circle, CN_SHAPE_CIRCLE, cn_circle, circle_of(g))
+GEOMETRY_GET(capsule, CN_SHAPE_CAPSULE, cn_capsule, capsule_of(g))
+GEOMETRY_GET(edge, CN_SHAPE_EDGE, cn_edge, edge_of(g))
+GEOMETRY_GET(polygon, CN_SHAPE_POLYGON, cn_polygon, polygon_of(g))
 
 cn_result cn_shape_get_chain_points(const cn_world *world, cn_shape shape, cn_vec2 *out, int32_t capacity, int32_t *out_count)
 {
@@ -134,17 +115,11 @@ cn_result cn_shape_test_point(const cn_world *world, cn_shape shape, float point
 	cn_vec2 point_m = { point_x_m, point_y_m };
 	cni_call call = cni_enter_const(world);
 	const cni_geometry *g = geometry_of(&call, shape, CNI_NONE, out_inside);
-	const cni_body *b;
 	int32_t body;
 	cni_check_finite2(&call, "point_m", point_m);
 	if (call.result != CN_OK)
 		return call.result;
 	body = cni_shape_at(world, cni_shape_index(world, shape))->body;
-	if (body != CNI_NONE) {
-		b = cni_body_at(world, body);
-		point_m = cni_sub(cni_sub(point_m, cni_v(b->cx, b->cy)), cni_v(b->cx_low, b->cy_low));
-		point_m = cni_add(cni_unrotate(b->q, point_m), b->local_center);
-	}
-	*out_inside = cni_geometry_contains(g, point_m) != 0;
+	*out_inside = cni_geometry_contains(g, body != CNI_NONE ? cni_body_to_local(cni_body_at(world, body), point_m) : point_m) != 0;
 	return CN_OK;
 }

@@ -42,10 +42,7 @@ static void check_room(report *r, const cni_body *b, const cni_shape *s, int32_t
 	expect(r, cni_aabb_contains(&cni_proxy_at(r->world, proxy)->fat, &tight), "room of body", s->body);
 	if (!(b->flags & CNI_BODY_AHEAD))
 		return;
-	tight.x0 += r->world->step_dt * b->vx;
-	tight.x1 += r->world->step_dt * b->vx;
-	tight.y0 += r->world->step_dt * b->vy;
-	tight.y1 += r->world->step_dt * b->vy;
+	tight = cni_box_moved(tight, cni_mul(r->world->step_dt, cni_v(b->vx, b->vy)));
 	expect(r, cni_aabb_contains(&cni_proxy_at(r->world, proxy)->fat, &tight), "room ahead of body", s->body);
 }
 
@@ -262,8 +259,6 @@ static void check_islands(report *r)
 	expect(r, members == r->members, "bodies in lists of islands", members);
 }
 
-static int32_t is_dynamic(const cn_world *world, int32_t body) { return body != CNI_NONE && cni_body_at(world, body)->type == CN_BODY_DYNAMIC; }
-
 static void check_joint(report *r, int32_t joint)
 {
 	const cn_world *world = r->world;
@@ -272,7 +267,7 @@ static void check_joint(report *r, int32_t joint)
 	expect(r, (a == CNI_NONE || body_alive(world, a)) && (b == CNI_NONE || body_alive(world, b)) && a != b && (!is_constraint || a == CNI_NONE), "bodies of joint", joint);
 	if (r->what != NULL)
 		return;
-	expect(r, j->linked == (cni_joint_is_enabled(world, j) && j->type != CN_JOINT_FILTER && is_dynamic(world, a) && is_dynamic(world, b)), "link of joint", joint);
+	expect(r, j->linked == (cni_joint_is_enabled(world, j) && j->type != CN_JOINT_FILTER && cni_is_dynamic(world, a) && cni_is_dynamic(world, b)), "link of joint", joint);
 	if (j->linked)
 		expect(r, cni_body_at(world, a)->island != CNI_NONE && cni_body_at(world, a)->island == cni_body_at(world, b)->island, "one island for joint", joint);
 	expect(r, j->awake == CNI_NONE || (j->awake < world->awake_joints.count && ((const int32_t *)world->awake_joints.data)[j->awake] == joint), "awake list of joint", joint);

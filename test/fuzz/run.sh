@@ -13,6 +13,7 @@ cores=$(nproc 2>/dev/null || echo 2)
 compiler=${FUZZ_CC:-clang-19}
 flags='-O1 -gline-tables-only -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined'
 passed=0 failed=0
+mkdir -p "$build"
 
 if ! command -v "$compiler" >/dev/null 2>&1 || ! command -v python3 >/dev/null 2>&1; then
 	echo "$compiler or python3 is not installed (see .ci/deps)"

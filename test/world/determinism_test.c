@@ -24,11 +24,11 @@ typedef struct golden {
 
 /* clang-format off */
 static const golden goldens[] = {
-	{ "falling_hinges", 480, 1, 0x4ddce11cf2ce4998 },
+	{ "falling_hinges", 480, 1, 0xd2cd1e661fd832f6 },
 	{ "small_200", 300, 1, 0x7b52fe6a8a59a278 },
 	{ "small_50_sleep", 600, 1, 0x60448e150b7686e9 },
 	{ "dominoes", 400, 1, 0x2fd6a50dd1e539aa },
-	{ "ragdolls", 480, 1, 0xd4811c05b4549bdf },
+	{ "ragdolls", 480, 1, 0x753000414c9533f5 },
 	{ "bridge", 240, 1, 0x423c422d07990c16 },
 	{ "car", 400, 1, 0x325c21d67eada2ff },
 	{ "mixer", 240, 1, 0xc42c77718b74e1bd },

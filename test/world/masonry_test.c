@@ -317,6 +317,28 @@ static void t_systems_share_the_work_of_a_step(void)
 	CHECK_GE("steps with interior points", solved, 5, "");
 }
 
+/* A plate that presses 76 boxes to where they have no room. Each has a dozen contacts, a factorization takes 3 ms, and no impulses fit. */
+static void t_a_crushed_heap_takes_bounded_work(void)
+{
+	masonry m;
+	cn_body plate;
+	int32_t most = 0, k;
+	begin(&m, CN_SOLVER_DIRECT, 4, 1);
+	for (k = 0; k < 76; ++k)
+		(void)fixture_box(m.world, CN_BODY_DYNAMIC, (float)(k % 8) - 3.5f, 0.5f + (float)(k / 8), 0.0f, 0.5f, 0.5f, 0.5f, 0.0f);
+	plate = fixture_box(m.world, CN_BODY_KINEMATIC, 0.0f, 11.0f, 0.0f, 6.0f, 1.0f, 0.5f, 0.0f);
+	fixture_set_velocity(m.world, plate, 0.0f, -8.0f, 0.0f);
+	for (k = 0; k < 50; ++k) {
+		int32_t work;
+		fixture_step(m.world, 1);
+		work = m.world->cone_work + m.world->set_work;
+		most = work > most ? work : most;
+	}
+	CHECK_GE("most work in a step", most, CNI_ATTEMPT_WORK_DIRECT / 4, "blocks");
+	CHECK_LE("most work in a step", most, 2 * CNI_ATTEMPT_WORK_DIRECT, "blocks");
+	cn_world_destroy(m.world);
+}
+
 int main(int argc, char **argv)
 {
 	test_begin(argc, argv);
@@ -327,5 +349,6 @@ int main(int argc, char **argv)
 	RUN(t_an_arch_that_falls_gains_no_energy);
 	RUN(t_arches_that_are_struck_stand);
 	RUN(t_systems_share_the_work_of_a_step);
+	RUN(t_a_crushed_heap_takes_bounded_work);
 	return test_end();
 }
