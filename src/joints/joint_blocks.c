@@ -146,7 +146,7 @@ static cni_soft spring_soft(cni_lane_spring *g, float hertz, float damping_ratio
 static void spring_fill(cni_lane_spring *g, const cni_solve *s, const cni_joint_constraint *w, cni_joint_block *block, int32_t l)
 {
 	const cni_joint *j = w->record;
-	int32_t at = j->type == CN_JOINT_DISTANCE ? CNI_P_DISTANCE_HERTZ : CNI_P_HERTZ;
+	int32_t at = j->type == CN_JOINT_DISTANCE ? (int32_t)CNI_P_DISTANCE_HERTZ : (int32_t)CNI_P_HERTZ;
 	cni_soft soft = s->joint;
 	if (!(w->parts & CNI_PART_HELD))
 		soft = j->type == CN_JOINT_FIXED ? cni_soft_implicit(j->p[at], j->p[at + 1], s->h) : spring_soft(g, j->p[at], j->p[at + 1], s->h);
