@@ -116,6 +116,23 @@ int32_t add_box(scene *s, int32_t type, double x, double y, double angle, double
 	return body;
 }
 
+void attach_box(scene *s, int32_t body, double x, double y, double angle, double half_x, double half_y)
+{
+	cn_shape_def def = surface(s, body);
+	cn_polygon polygon = { 4, 0.0f, { { 0.0f, 0.0f } } };
+	double points[4][2], c = cos(angle), sine = sin(angle);
+	int32_t k;
+	for (k = 0; k < 4; ++k) {
+		double px = k == 1 || k == 2 ? half_x : -half_x, py = k >= 2 ? half_y : -half_y;
+		points[k][0] = x + c * px - sine * py;
+		points[k][1] = y + sine * px + c * py;
+		polygon.points_m[k].x = (float)points[k][0];
+		polygon.points_m[k].y = (float)points[k][1];
+	}
+	check(s, cn_shape_create_polygon(s->world, &def, &polygon, NULL));
+	keep_shape(s, body, (const double(*)[2])points, 4, 0.0);
+}
+
 int32_t add_disc(scene *s, int32_t type, double x, double y, double radius)
 {
 	int32_t body = add_body(s, type, x, y, 0.0);

@@ -99,6 +99,8 @@ int32_t add_disc(scene *s, int32_t type, double x, double y, double radius);
 int32_t add_capsule(scene *s, int32_t type, double x, double y, double angle, double half_length, double radius);
 /* Points relative to (x, y), counter-clockwise, at most POINTS_MAX. */
 int32_t add_polygon(scene *s, int32_t type, double x, double y, double angle, const double (*points)[2], int32_t count);
+/* A further shape of a body, in its frame. */
+void attach_box(scene *s, int32_t body, double x, double y, double angle, double half_x, double half_y);
 /* A regular polygon. */
 int32_t add_regular(scene *s, int32_t type, double x, double y, double angle, double radius, int32_t count);
 /* Top at y = 0, 400 m wide. */
@@ -161,8 +163,8 @@ double cpu_clock_s(void);
 
 /* ---- generators ---- */
 
-extern const family cloth_families[], mechanism_families[], machine_families[], rope_families[], figure_families[], vehicle_families[], structure_families[], heap_families[], workshop_families[];
-extern const int32_t cloth_family_count, mechanism_family_count, machine_family_count, rope_family_count, figure_family_count, vehicle_family_count, structure_family_count, heap_family_count, workshop_family_count;
+extern const family cloth_families[], mechanism_families[], machine_families[], rope_families[], figure_families[], vehicle_families[], structure_families[], heap_families[], workshop_families[], compound_families[];
+extern const int32_t cloth_family_count, mechanism_family_count, machine_family_count, rope_family_count, figure_family_count, vehicle_family_count, structure_family_count, heap_family_count, workshop_family_count, compound_family_count;
 #define FAMILY_COUNT(table) ((int32_t)(sizeof(table) / sizeof *(table)))
 
 #endif
