@@ -57,26 +57,47 @@ static int32_t is_requested(const cn_world *world, const cni_sparse *sparse, con
 	return island != CNI_NONE && cni_island_at(world, island)->joints_solver == CN_SOLVER_DIRECT;
 }
 
-/*
- * A loop of pins or rods, such as a bridge between two walls, may be so straight that no force can hold it: rigid joints explode there when
- * contacts load it. Trees have no such configurations, nor have loops with gears. Contacts come and go: a loop that closed its joints
- * whenever a body on it bounces would throw the body. So the loop stays soft for the longest span of a trust: of 80 seeds of the family
- * `bridge` 8 are worse than soft constraints with 32 steps, 3 with 128, 2 with 256.
- */
-static int32_t is_loop_of_pins_and_rods(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+static int32_t has_pins_and_rods_alone(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
 	int32_t k;
-	if (world->settings.solver != CN_SOLVER_AUTO || !c->loops || c->has_contacts || c->body_begin == c->body_end)
-		return 0;
 	for (k = c->begin; k < c->end; ++k)
 		if (sparse->nodes[k].rows != 2 && cni_joint_constraints(world)[sparse->nodes[k].owner].record->type != CN_JOINT_DISTANCE)
 			return 0;
 	return 1;
 }
 
+static int32_t joints_to_fixed(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	const cni_motion *motions = cni_motions(world);
+	int32_t k, count = 0;
+	for (k = c->begin; k < c->end; ++k)
+		count += motions[sparse->nodes[k].ia].inv_mass == 0.0f || motions[sparse->nodes[k].ib].inv_mass == 0.0f;
+	return count;
+}
+
+static int32_t touched_bodies(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	int32_t k, count = 0;
+	for (k = c->body_begin; k < c->body_end; ++k)
+		count += (cni_externals(world)[sparse->bodies[k]].flags & CNI_EXTERNAL_TOUCHED) != 0;
+	return count;
+}
+
+/*
+ * A loop of pins or rods between fixed bodies, such as a bridge between two walls, may be so straight that no force can hold it: rigid
+ * joints explode there when contacts load it. Trees have no such configurations, nor have loops with gears. A loop of moving bodies alone,
+ * such as a scissor lift, is exact as long as its contacts can know its joints (direct/heavy_contacts.c): the links of a caterpillar track,
+ * nearly all of which touch something, would be pressed into wheels. Contacts come and go: a loop that closed its joints whenever a body on
+ * it bounces would throw the body. So the loop stays soft for the longest span of a trust: of 80 seeds of the family `bridge` 8 are worse
+ * than soft constraints with 32 steps, 3 with 128, 2 with 256.
+ */
 static int32_t loop_is_better_soft(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
-	return CNI_ON(SOFT_LOOPS) && is_loop_of_pins_and_rods(world, sparse, c) && !is_requested(world, sparse, c) && cni_component_is_touched(world, sparse, c);
+	int32_t touched;
+	if (!CNI_ON(SOFT_LOOPS) || world->settings.solver != CN_SOLVER_AUTO || !c->loops || c->has_contacts || c->body_begin == c->body_end || is_requested(world, sparse, c))
+		return 0;
+	touched = touched_bodies(world, sparse, c);
+	return touched > 0 && has_pins_and_rods_alone(world, sparse, c) && (joints_to_fixed(world, sparse, c) > 1 || touched > cni_heavy_contacts_most(sparse, c));
 }
 
 /*

@@ -185,12 +185,10 @@ static void body_contacts_list(const cn_world *world, const cni_solve *s, cni_sp
 	}
 }
 
-/* Length of the list that holds as many contacts of a component as there is work for: each of them solves its system some forty times a
-   step, so the larger the system, the fewer. */
-static int32_t most_of(const cni_sparse *sparse, const cni_component *c)
+int32_t cni_heavy_contacts_most(const cni_sparse *sparse, const cni_component *c)
 {
 	int32_t blocks = sparse->first[c->end] - sparse->first[c->begin] + c->end - c->begin;
-	return cni_min_i(sparse->heavy_count + CNI_HEAVY_CONTACT_BLOCKS / cni_max_i(blocks, 1), CNI_HEAVY_CONTACTS_MOST);
+	return CNI_HEAVY_CONTACT_BLOCKS / cni_max_i(blocks, 1);
 }
 
 /* 1: one of its joints may break. It bears at most its threshold, which is known after the step only: a ball would bounce off a wall of
@@ -214,7 +212,7 @@ int32_t cni_heavy_contacts_list(const cn_world *world, const cni_solve *s, cni_s
 	if (!CNI_ON(HEAVY_CONTACTS) || !CNI_ON(JOINT_PROJECTION) || c->has_contacts || !cni_component_is_touched(world, sparse, c) || may_break(world, sparse, c))
 		return 0;
 	ratio = ratio_of(sparse, c);
-	most = most_of(sparse, c);
+	most = cni_min_i(first + cni_heavy_contacts_most(sparse, c), CNI_HEAVY_CONTACTS_MOST);
 	for (k = c->body_begin; k < c->body_end; ++k)
 		body_contacts_list(world, s, sparse, component, sparse->bodies[k], ratio, most);
 	return sparse->heavy_count > first;
