@@ -33,10 +33,8 @@ static int32_t link_after(const cn_world *world, const cni_contact *c, cni_body 
 	return after;
 }
 
-static void list_link(cn_world *world, int32_t contact, int32_t side)
+static void list_link(cn_world *world, int32_t contact, cni_contact *c, int32_t side, cni_body *b)
 {
-	cni_contact *c = cni_contact_at(world, contact);
-	cni_body *b = cni_body_at(world, c->body[side]);
 	int32_t key = contact << 1 | side, prev = link_after(world, c, b);
 	int32_t *from = prev != CNI_NONE ? &cni_contact_of_key(world, prev)->next[prev & 1] : &b->contact_first;
 	c->prev[side] = prev;
@@ -137,10 +135,16 @@ cn_result cni_contact_reserve(cn_world *world, int32_t extra)
 	return good ? CN_OK : CN_ERROR_MEMORY;
 }
 
-static void log_or_defer(cn_world *world, int32_t contact, int32_t kind, uint32_t owed)
+/* Most contacts report nothing. */
+CNI_INLINE int32_t event_log(cn_world *world, int32_t contact, const cni_contact *c, int32_t kind)
 {
-	if (!cni_event_log(world, contact, kind))
-		cni_contact_at(world, contact)->flags |= owed;
+	return !cni_contact_reports_kind(c, kind) || cni_event_log(world, contact, kind);
+}
+
+static void log_or_defer(cn_world *world, int32_t contact, cni_contact *c, int32_t kind, uint32_t owed)
+{
+	if (!event_log(world, contact, c, kind))
+		c->flags |= owed;
 }
 
 /* The flags of a contact that is to have these: in a fixed block without room for the ends of its events it has none. */
@@ -208,9 +212,9 @@ int32_t cni_contact_create(cn_world *world, int32_t proxy_a, int32_t proxy_b)
 	const cni_shape *a = cni_shape_at(world, cni_proxy_at(world, proxy_a)->shape);
 	const cni_shape *b = cni_shape_at(world, cni_proxy_at(world, proxy_b)->shape);
 	int32_t contact = record_take(world), side;
-	cni_contact *c;
+	cni_contact *c = cni_contact_at(world, contact);
+	cni_body *body[2];
 	++world->contact_count;
-	c = cni_contact_at(world, contact);
 	memset(c, 0, sizeof *c);
 	side = a->type > b->type; /* manifold functions take the lesser type first */
 	c->proxy[side] = proxy_a;
@@ -219,15 +223,17 @@ int32_t cni_contact_create(cn_world *world, int32_t proxy_a, int32_t proxy_b)
 	c->body[1 - side] = b->body;
 	c->slot = CNI_NONE;
 	c->flags = flags_with_room(world, flags_of_shapes(a, b));
-	if (cni_body_at(world, a->body)->type == CN_BODY_STATIC || cni_body_at(world, b->body)->type == CN_BODY_STATIC)
+	body[0] = cni_body_at(world, c->body[0]);
+	body[1] = cni_body_at(world, c->body[1]);
+	if (body[0]->type == CN_BODY_STATIC || body[1]->type == CN_BODY_STATIC)
 		c->flags |= CNI_CONTACT_STATIC;
-	list_link(world, contact, 0);
-	list_link(world, contact, 1);
-	if (contact_is_awake(world, c)) {
-		cni_contact_mark_static(cni_body_at(world, c->body[0]), cni_body_at(world, c->body[1]));
+	list_link(world, contact, c, 0, body[0]);
+	list_link(world, contact, c, 1, body[1]);
+	if (body[0]->awake != 0 || body[1]->awake != 0) {
+		cni_contact_mark_static(body[0], body[1]);
 		cni_contact_enter_apart_list(world, contact);
 	}
-	log_or_defer(world, contact, CN_EVENT_CREATED, CNI_CONTACT_CREATED_OWED);
+	log_or_defer(world, contact, c, CN_EVENT_CREATED, CNI_CONTACT_CREATED_OWED);
 	return contact;
 }
 
@@ -251,7 +257,7 @@ int32_t cni_contact_destroy(cn_world *world, int32_t contact)
 		return 0;
 	if ((c->flags & CNI_CONTACT_SENSING) && !cni_contact_update_sensor(world, contact, 0))
 		return 0;
-	if (!(c->flags & CNI_CONTACT_CREATED_OWED) && !cni_event_log(world, contact, CN_EVENT_DESTROYED))
+	if (!(c->flags & CNI_CONTACT_CREATED_OWED) && !event_log(world, contact, c, CN_EVENT_DESTROYED))
 		return 0;
 	cni_contact_leave_apart_list(world, contact);
 	list_unlink(world, contact, 0);
@@ -392,14 +398,14 @@ int32_t cni_contact_begin(cn_world *world, int32_t contact, const cni_manifold *
 	cni_block_anchor_at(world, c->slot / CNI_LANES)->of.fresh.approach[c->slot % CNI_LANES] = approach;
 	cni_lane_set_fresh(world, c->slot);
 	cni_contact_write(world, c, cni_body_at(world, c->body[0]), cni_body_at(world, c->body[1]), manifold, gap, radius);
-	log_or_defer(world, contact, CN_EVENT_ENTER, CNI_CONTACT_ENTER_OWED);
+	log_or_defer(world, contact, c, CN_EVENT_ENTER, CNI_CONTACT_ENTER_OWED);
 	return 1;
 }
 
 int32_t cni_contact_end(cn_world *world, int32_t contact)
 {
 	cni_contact *c = cni_contact_at(world, contact);
-	if (!(c->flags & CNI_CONTACT_ENTER_OWED) && !cni_event_log(world, contact, CN_EVENT_LEAVE)) {
+	if (!(c->flags & CNI_CONTACT_ENTER_OWED) && !event_log(world, contact, c, CN_EVENT_LEAVE)) {
 		if (!(c->flags & CNI_CONTACT_ASLEEP))
 			cni_contact_write_empty(world, contact);
 		return 0;

@@ -209,6 +209,11 @@ static inline int32_t cni_contact_reports(uint32_t flags)
 {
 	return CNI_HAS_EVENTS && ((flags & (CNI_CONTACT_SENSOR | CNI_CONTACT_MUTE)) == CNI_CONTACT_SENSOR || flags >> CNI_CONTACT_EVENTS_SHIFT != 0);
 }
+/* ... an event of this kind? */
+static inline int32_t cni_contact_reports_kind(const cni_contact *c, int32_t kind)
+{
+	return CNI_HAS_EVENTS && (c->flags >> CNI_CONTACT_EVENTS_SHIFT & 1u << kind) != 0;
+}
 /* Record of an existing contact between two proxies, or CNI_NONE. O(contacts of the body with fewer). */
 int32_t cni_contact_find(const cn_world *world, int32_t proxy_a, int32_t proxy_b);
 /* Keys of the contacts of a shape, in the list of its body. CNI_NONE: none, or no body. O(contacts of the body) for all. */

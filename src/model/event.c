@@ -93,11 +93,6 @@ static void *log_add(cn_world *world, cni_array *log)
 	return (uint8_t *)log->data + (size_t)log->count++ * (size_t)log->item_bytes;
 }
 
-static int32_t contact_reports(const cni_contact *c, int32_t kind)
-{
-	return (c->flags >> CNI_CONTACT_EVENTS_SHIFT & 1u << kind) != 0;
-}
-
 static void event_write(const cn_world *world, int32_t contact, cni_event *e)
 {
 	const cni_contact *c = cni_contact_at(world, contact);
@@ -150,7 +145,7 @@ int32_t cni_event_log(cn_world *world, int32_t contact, int32_t kind)
 {
 	const cni_contact *c = cni_contact_at(world, contact);
 	cni_event *e;
-	if (!CNI_HAS_EVENTS || !contact_reports(c, kind))
+	if (!cni_contact_reports_kind(c, kind))
 		return 1;
 	e = (cni_event *)log_add(world, world->events.in_step ? &world->events.log[kind] : &world->events.pending[kind]);
 	if (e == NULL)
@@ -166,7 +161,7 @@ int32_t cni_event_log(cn_world *world, int32_t contact, int32_t kind)
 static int32_t contact_stays(const cni_contact *c)
 {
 	const uint32_t mask = CNI_CONTACT_TOUCHING | CNI_CONTACT_ASLEEP | CNI_CONTACT_ENTERED | CNI_CONTACT_ENTER_OWED;
-	return (c->flags & mask) == CNI_CONTACT_TOUCHING && contact_reports(c, CN_EVENT_STAY);
+	return (c->flags & mask) == CNI_CONTACT_TOUCHING && cni_contact_reports_kind(c, CN_EVENT_STAY);
 }
 
 void cni_event_log_stay(cn_world *world, int32_t contact, const cni_event_sums *sums)
@@ -193,7 +188,7 @@ void cni_event_log_hit(cn_world *world, int32_t contact, const cni_event_sums *s
 {
 	const cni_contact *c = cni_contact_at(world, contact);
 	cn_contact_event *e;
-	if ((c->flags & CNI_CONTACT_ENTER_OWED) || !contact_reports(c, CN_EVENT_HIT))
+	if ((c->flags & CNI_CONTACT_ENTER_OWED) || !cni_contact_reports_kind(c, CN_EVENT_HIT))
 		return;
 	e = (cn_contact_event *)log_add(world, &world->events.log[CN_EVENT_HIT]);
 	if (e == NULL)

@@ -38,27 +38,16 @@ static void kicked_extend_boxes(cn_world *world, float dt)
 	world->kicked.count = 0;
 }
 
-static const cni_body *body_of(const cn_world *world, int32_t proxy)
-{
-	return cni_body_at(world, cni_shape_at(world, cni_proxy_at(world, proxy)->shape)->body);
-}
-
-static int32_t is_marked(const cn_world *world, int32_t proxy)
-{
-	return (body_of(world, proxy)->flags & CNI_BODY_AGAIN) != 0;
-}
-
 /* A sleeping body may have a contact whose boxes separated in the last step before sleep; that contact ends on waking. */
-static int32_t is_asleep(const cn_world *world, int32_t proxy)
+static int32_t is_asleep(const cni_body *b)
 {
-	const cni_body *b = body_of(world, proxy);
 	return b->awake == 0 && b->type != CN_BODY_STATIC;
 }
 
 /* Does the pair have a contact already? Most pairs need no lookup: only sleep, marks and CNI_PAIRS_ALL can cause repeats. */
-static int32_t pair_repeats(const cn_world *world, const cni_pair *pair, int32_t may_repeat)
+static int32_t pair_repeats(const cn_world *world, const cni_pair *pair, const cni_body *a, const cni_body *b, int32_t may_repeat)
 {
-	if ((may_repeat & CNI_PAIRS_ALL) == CNI_PAIRS_ALL || is_asleep(world, pair->a) || is_asleep(world, pair->b) || (may_repeat && (is_marked(world, pair->a) || is_marked(world, pair->b))))
+	if ((may_repeat & CNI_PAIRS_ALL) == CNI_PAIRS_ALL || is_asleep(a) || is_asleep(b) || (may_repeat && ((a->flags | b->flags) & CNI_BODY_AGAIN)))
 		return cni_contact_find(world, pair->a, pair->b) != CNI_NONE;
 	CNI_ASSERT(cni_contact_find(world, pair->a, pair->b) == CNI_NONE);
 	return 0;
@@ -102,12 +91,13 @@ static int32_t crowd_turn(cn_world *world)
 
 static int32_t is_fixed(const void *context, int32_t proxy)
 {
-	return body_of((const cn_world *)context, proxy)->type != CN_BODY_DYNAMIC;
+	const cn_world *world = (const cn_world *)context;
+	return cni_is_dynamic(world, cni_shape_at(world, cni_proxy_at(world, proxy)->shape)->body) == 0;
 }
 
-static int32_t has_fixed(const cn_world *world, const cni_pair *pair)
+static int32_t has_fixed(const cni_body *a, const cni_body *b)
 {
-	return is_fixed(world, pair->a) || is_fixed(world, pair->b);
+	return a->type != CN_BODY_DYNAMIC || b->type != CN_BODY_DYNAMIC;
 }
 
 /* Has the body CONTACTS_FIXED contacts with fixed bodies? */
@@ -122,14 +112,11 @@ static int32_t has_many_fixed(const cn_world *world, const cni_body *b)
 	return count >= CONTACTS_FIXED;
 }
 
-static int32_t crowd_leaves_out(const cn_world *world, const cni_pair *pair)
+static int32_t crowd_leaves_out(const cn_world *world, const cni_body *a, const cni_body *b)
 {
-	const cni_body *a, *b;
 	if (world->contact_count < cni_pairs_limit(world->proxy_count))
 		return 0;
-	a = body_of(world, pair->a);
-	b = body_of(world, pair->b);
-	if (has_fixed(world, pair))
+	if (has_fixed(a, b))
 		return has_many_fixed(world, a->type == CN_BODY_DYNAMIC ? a : b);
 	return cni_min_i(a->contact_count, b->contact_count) >= CONTACTS_MANY;
 }
@@ -140,45 +127,101 @@ static void crowd_note(cn_world *world, int32_t pairs, int32_t with_fixed)
 	world->pairs_not_added += cni_min_i(pairs, INT32_MAX - world->pairs_not_added);
 }
 
+/* ---- contacts of the pairs ---- */
+
 /* So many pairs ahead each is asked for, when what leads to it has come: shapes, bodies, the heads of their lists of contacts. */
 #define SHAPES_AHEAD 12
 #define BODIES_AHEAD 8
 #define HEADS_AHEAD 4
+#define MEMBERS_KEPT 16
 
-/* Forced inline: compilers treat a function that only prefetches as having no effect. */
-CNI_INLINE void body_prefetch(const cni_body *b)
+/* Shapes and bodies of the pairs ahead, each found once: pair k is at k % MEMBERS_KEPT. */
+typedef struct pair_members {
+	const cni_shape *shape[2];
+	cni_body *body[2];
+} pair_members;
+
+typedef struct pairs_loop {
+	const cn_world *world;
+	const cni_pair *list;
+	int32_t count;
+	pair_members members[MEMBERS_KEPT];
+} pairs_loop;
+
+typedef char cni_pairs_finds_far_enough[SHAPES_AHEAD < MEMBERS_KEPT ? 1 : -1];
+
+CNI_INLINE pair_members *members_of(pairs_loop *loop, int32_t k) { return &loop->members[(uint32_t)k % MEMBERS_KEPT]; }
+
+/* These are forced inline: compilers treat a function that only prefetches as having no effect. */
+CNI_INLINE void shapes_find(pairs_loop *loop, int32_t k)
 {
-	CNI_PREFETCH(&b->flags);
-	CNI_PREFETCH(&b->contact_first);
+	pair_members *m = members_of(loop, k);
+	if (k >= loop->count)
+		return;
+	m->shape[0] = cni_shape_at(loop->world, cni_proxy_at(loop->world, loop->list[k].a)->shape);
+	m->shape[1] = cni_shape_at(loop->world, cni_proxy_at(loop->world, loop->list[k].b)->shape);
+	CNI_PREFETCH(m->shape[0]);
+	CNI_PREFETCH(m->shape[1]);
 }
 
-CNI_INLINE void head_prefetch(const cn_world *world, const cni_body *b)
+CNI_INLINE void bodies_find(pairs_loop *loop, int32_t k)
 {
-	if (b->contact_first != CNI_NONE)
-		CNI_PREFETCH(cni_contact_of_key(world, b->contact_first)->prev);
+	pair_members *m = members_of(loop, k);
+	int32_t side;
+	for (side = 0; side < 2 && k < loop->count; ++side) {
+		m->body[side] = cni_body_at(loop->world, m->shape[side]->body);
+		CNI_PREFETCH(&m->body[side]->flags);
+		CNI_PREFETCH(&m->body[side]->contact_first);
+	}
 }
 
-CNI_INLINE void pairs_prefetch(const cn_world *world, const cni_pair *list, int32_t count, int32_t k)
+CNI_INLINE void heads_prefetch(pairs_loop *loop, int32_t k)
 {
-	if (k + SHAPES_AHEAD < count) {
-		CNI_PREFETCH(cni_shape_at(world, cni_proxy_at(world, list[k + SHAPES_AHEAD].a)->shape));
-		CNI_PREFETCH(cni_shape_at(world, cni_proxy_at(world, list[k + SHAPES_AHEAD].b)->shape));
+	const pair_members *m = members_of(loop, k);
+	int32_t side;
+	for (side = 0; side < 2 && k < loop->count; ++side)
+		if (m->body[side]->contact_first != CNI_NONE)
+			CNI_PREFETCH(cni_contact_of_key(loop->world, m->body[side]->contact_first)->prev);
+}
+
+static void pair_add(cn_world *world, const cni_pair *pair, const pair_members *m, int32_t may_repeat)
+{
+	cni_body *a = m->body[0], *b = m->body[1];
+	if (pair_repeats(world, pair, a, b, may_repeat))
+		return;
+	if (crowd_leaves_out(world, a, b)) {
+		cni_proxy_at(world, pair->a)->flags |= CNI_PROXY_CROWDED;
+		crowd_note(world, 1, has_fixed(a, b));
+	} else if (cni_contact_reserve(world, 1) != CN_OK) {
+		pair_retry_later(world, pair);
+	} else {
+		cni_contact_create(world, pair->a, pair->b);
 	}
-	if (k + BODIES_AHEAD < count) {
-		body_prefetch(body_of(world, list[k + BODIES_AHEAD].a));
-		body_prefetch(body_of(world, list[k + BODIES_AHEAD].b));
-	}
-	if (k + HEADS_AHEAD < count) {
-		head_prefetch(world, body_of(world, list[k + HEADS_AHEAD].a));
-		head_prefetch(world, body_of(world, list[k + HEADS_AHEAD].b));
+}
+
+static void pairs_add(cn_world *world, int32_t may_repeat)
+{
+	pairs_loop loop;
+	int32_t k;
+	loop.world = world;
+	loop.list = (const cni_pair *)world->pairs.list.data;
+	loop.count = world->pairs.list.count;
+	for (k = 0; k < SHAPES_AHEAD; ++k)
+		shapes_find(&loop, k);
+	for (k = 0; k < BODIES_AHEAD; ++k)
+		bodies_find(&loop, k);
+	for (k = 0; k < loop.count; ++k) {
+		shapes_find(&loop, k + SHAPES_AHEAD);
+		bodies_find(&loop, k + BODIES_AHEAD);
+		heads_prefetch(&loop, k + HEADS_AHEAD);
+		pair_add(world, &loop.list[k], members_of(&loop, k), may_repeat);
 	}
 }
 
 void cni_stage_pairs(cn_world *world, float dt)
 {
 	cni_broadphase_pairs *pairs = &world->pairs;
-	const cni_pair *list;
-	int32_t k, may_repeat = world->pairs_may_repeat;
+	int32_t may_repeat = world->pairs_may_repeat;
 	world->pairs_may_repeat = 0;
 	if (may_repeat & CNI_PAIRS_CROWDED) {
 		int32_t crowd = crowd_turn(world);
@@ -201,19 +244,7 @@ void cni_stage_pairs(cn_world *world, float dt)
 	/* Workers may have found the pairs, so the user's filter runs here, in order; where the list had no room for all pairs, the
 	   broadphase has run it. */
 	cni_pairs_cull(pairs);
-	list = (const cni_pair *)pairs->list.data;
-	for (k = 0; k < pairs->list.count; ++k) {
-		pairs_prefetch(world, list, pairs->list.count, k);
-		if (pair_repeats(world, &list[k], may_repeat))
-			continue;
-		if (crowd_leaves_out(world, &list[k])) {
-			cni_proxy_at(world, list[k].a)->flags |= CNI_PROXY_CROWDED;
-			crowd_note(world, 1, has_fixed(world, &list[k]));
-		} else if (cni_contact_reserve(world, 1) != CN_OK)
-			pair_retry_later(world, &list[k]);
-		else
-			cni_contact_create(world, list[k].a, list[k].b);
-	}
+	pairs_add(world, may_repeat);
 	if (world->pairs_may_repeat & CNI_PAIRS_CROWDED)
 		world->warnings |= CN_WARNING_CROWD;
 	if (may_repeat & CNI_PAIRS_ALL)
