@@ -127,7 +127,7 @@ static void change_apply(cn_world *world, int32_t contact, int32_t change, cni_b
 		sensor_change(world, contact, change);
 		return;
 	}
-	if (change != CHANGE_END || boxes_overlap(world, c)) /* else the pair is destroyed unreported */
+	if ((c->flags & CNI_CONTACT_CREATED_OWED) && (change != CHANGE_END || boxes_overlap(world, c))) /* else the pair is destroyed unreported */
 		cni_contact_send_deferred_events(world, contact, CNI_CONTACT_CREATED_OWED, CN_EVENT_CREATED);
 	if (change == CHANGE_EVENTS)
 		cni_contact_send_deferred_events(world, contact, CNI_CONTACT_ENTER_OWED, CN_EVENT_ENTER);
