@@ -139,22 +139,31 @@ static void bodies_run(cni_team *team, int32_t min_range, cni_range_fn *run, cn_
 	cni_team_for(team, world->awake_count - 1, min_range, run, &loop);
 }
 
-CNI_INLINE void externals_make(const body_loop *loop, int32_t begin, int32_t end, int32_t in_areas)
+/* The external acceleration of one body. */
+CNI_INLINE cni_body *body_external_make(const cn_world *world, int32_t k, int32_t in_areas)
 {
+	cni_external *d = cni_externals(world) + k;
+	cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
+	b->flags &= ~(uint32_t)CNI_BODY_OF_A_STEP;
+	if (in_areas && (d->flags & CNI_EXTERNAL_DEFERRED))
+		external_make_in_area(world, b, cni_starts(world) + k, d);
+	else
+		external_make(world, b, cni_motions(world) + k, d);
+	return b;
+}
+
+static void external_range(void *context, int32_t begin, int32_t end, int32_t worker)
+{
+	const body_loop *loop = (const body_loop *)context;
 	const cn_world *world = loop->world;
 	cni_motion *motions = cni_motions(world);
 	cni_external *externals = cni_externals(world);
-	const int32_t *ids = cni_awake_ids(world);
-	int32_t *islands = world->awake_islands, k;
+	int32_t *islands = world->awake_islands, in_areas = cni_has_areas(world), k;
+	(void)worker;
 	for (k = begin + 1; k <= end; ++k) {
-		cni_body *b = cni_body_at(world, ids[k]);
-		b->flags &= ~(uint32_t)CNI_BODY_OF_A_STEP;
+		const cni_body *b = body_external_make(world, k, in_areas);
 		if (islands != NULL)
 			islands[k] = b->island;
-		if (in_areas && (externals[k].flags & CNI_EXTERNAL_DEFERRED))
-			external_make_in_area(world, b, &cni_starts(world)[k], &externals[k]);
-		else
-			external_make(world, b, &motions[k], &externals[k]);
 		if (!(externals[k].flags & CNI_EXTERNAL_FREE))
 			continue;
 		if (externals[k].flags & CNI_EXTERNAL_DAMPED)
@@ -162,18 +171,6 @@ CNI_INLINE void externals_make(const body_loop *loop, int32_t begin, int32_t end
 		else
 			fly(&motions[k], &externals[k], loop->s->dt);
 	}
-}
-
-static void external_range(void *context, int32_t begin, int32_t end, int32_t worker)
-{
-	(void)worker;
-	externals_make((const body_loop *)context, begin, end, 0);
-}
-
-static void external_range_in_areas(void *context, int32_t begin, int32_t end, int32_t worker)
-{
-	(void)worker;
-	externals_make((const body_loop *)context, begin, end, 1);
 }
 
 /* If few islands are awake, numbers them in the order of their first bodies. */
@@ -204,7 +201,7 @@ void cni_external_prepare(cn_world *world, const cni_solve *s)
 		world->awake_islands[0] = CNI_NONE;
 	if (cni_has_areas(world))
 		cni_areas_accelerate(world, s->dt);
-	bodies_run(world->team, DRIVES_A_RANGE, cni_has_areas(world) ? external_range_in_areas : external_range, world, s, 0);
+	bodies_run(world->team, DRIVES_A_RANGE, external_range, world, s, 0);
 	if (world->awake_islands != NULL && world->island_used > world->awake_count / FEW_ISLANDS_PART) /* an awake island has two bodies or
 	                                                                                                   more */
 		world->step_islands = (int32_t *)cni_arena_push(&world->arena, sizeof(int32_t) * (uint64_t)world->awake_count / 2);
@@ -222,18 +219,12 @@ void cni_external_finish(cn_world *world)
 
 void cni_external_prepare_bound(cn_world *world, float dt)
 {
-	cni_external *externals = cni_externals(world);
 	int32_t k;
 	if (cni_has_areas(world))
 		cni_areas_accelerate(world, dt);
 	for (k = 1; k < world->awake_count; ++k) {
-		cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
-		b->flags &= ~(uint32_t)CNI_BODY_OF_A_STEP;
-		if (cni_has_areas(world) && (externals[k].flags & CNI_EXTERNAL_DEFERRED))
-			external_make_in_area(world, b, cni_starts(world) + k, &externals[k]);
-		else
-			external_make(world, b, cni_motions(world) + k, &externals[k]);
-		externals[k].flags &= ~(uint32_t)CNI_EXTERNAL_FREE;
+		(void)body_external_make(world, k, cni_has_areas(world));
+		cni_externals(world)[k].flags &= ~(uint32_t)CNI_EXTERNAL_FREE;
 	}
 }
 

@@ -2,9 +2,9 @@
  * world/error.c - owns the sentence in world->error: text building without printf, and the argument
  * checks of every public function (see error.h for how they are used).
  *
- * Floats are printed from their bits with a 64-bit mantissa: value = m * 2^e is multiplied or divided by
- * ten until it has six digits before the point. Each of the at most 51 steps loses less than 2^-59 of the
- * value, so the six digits are correct except for exact ties.
+ * Floats are printed from their bits: m * 2^e becomes m * 10^x by doubling or halving m, which is divided or multiplied by ten where it
+ * would lose or overflow its 64 bits. Each of the at most 200 steps loses less than 2^-59 of the value, so the six digits are correct
+ * except for exact ties.
  */
 #include "world/error.h"
 
@@ -64,66 +64,30 @@ static void text_hex(cni_text *text, uint32_t value)
 	text_digits(text, value, 16, 1);
 }
 
-/* value = m * 2^e with the top bit of m set. */
-typedef struct scaled {
-	uint64_t m;
-	int32_t e;
-} scaled;
-
-static scaled scaled_normalize(scaled s)
-{
-	while (!(s.m >> 63)) {
-		s.m <<= 1;
-		--s.e;
-	}
-	return s;
-}
-
-static scaled scaled_times_ten(scaled s)
-{
-	s.m = (s.m >> 4) * 10u;
-	s.e += 4;
-	return scaled_normalize(s);
-}
-
-static scaled scaled_over_ten(scaled s)
-{
-	uint64_t rest = s.m % 10u;
-	s.m = ((s.m / 10u) << 3) + (rest << 3) / 10u; /* the quotient has three or four leading zeros */
-	s.e -= 3;
-	return scaled_normalize(s);
-}
-
-static uint64_t scaled_integer(scaled s)
-{
-	return s.e <= -64 ? 0 : s.m >> -s.e;
-}
-
 /* Six decimal digits d and the exponent x of a finite float > 0, given as its bits: value = d * 10^x, rounded. */
 static uint32_t float_digits(uint32_t bits, int32_t *out_exponent)
 {
-	int32_t biased = (int32_t)(bits >> 23 & 255u);
-	int32_t x = 0;
-	uint64_t d;
-	scaled s;
-	s.m = (bits & 0x7FFFFFu) | (biased != 0 ? 0x800000u : 0u);
-	s.e = (biased != 0 ? biased : 1) - 150;
-	s = scaled_normalize(s);
-	while (s.e > -44 || scaled_integer(s) >= 1000000u) {
-		s = scaled_over_ten(s);
-		++x;
+	int32_t biased = (int32_t)(bits >> 23 & 255u), e = (biased != 0 ? biased : 1) - 150, x = 1;
+	uint64_t m = (bits & 0x7FFFFFu) | (biased != 0 ? 0x800000u : 0u); /* value = m * 2^e * 10^(x - 1) */
+	for (; e > 0; --e) {
+		if (m >> 63) {
+			m /= 10u;
+			++x;
+		}
+		m *= 2u;
 	}
-	while (scaled_integer(s) < 100000u) {
-		s = scaled_times_ten(s);
+	for (; e < 0; ++e) {
+		for (; m >> 60 == 0; m *= 10u)
+			--x;
+		m /= 2u;
+	}
+	for (; m < 1000000u; m *= 10u)
 		--x;
-	}
-	d = (s.m + ((uint64_t)1 << (-s.e - 1))) >> -s.e;
-	if (d == 1000000u) {
-		d = 100000u;
+	for (; m >= 10000000u; m /= 10u)
 		++x;
-	}
-	*out_exponent = x;
-	return (uint32_t)d;
+	m = (m + 5u) / 10u;
+	*out_exponent = m == 1000000u ? x + 1 : x;
+	return m == 1000000u ? 100000u : (uint32_t)m;
 }
 
 /* d with its point after the first `before` of its six digits (before may be <= 0), zeros trimmed. */
