@@ -86,18 +86,20 @@ static int32_t touched_bodies(const cn_world *world, const cni_sparse *sparse, c
 /*
  * A loop of pins or rods between fixed bodies, such as a bridge between two walls, may be so straight that no force can hold it: rigid
  * joints explode there when contacts load it. Trees have no such configurations, nor have loops with gears. A loop of moving bodies alone,
- * such as a scissor lift, is exact as long as its contacts can know its joints (direct/heavy_contacts.c): the links of a caterpillar track,
- * nearly all of which touch something, would be pressed into wheels. Contacts come and go: a loop that closed its joints whenever a body on
- * it bounces would throw the body. So the loop stays soft for the longest span of a trust: of 80 seeds of the family `bridge` 8 are worse
- * than soft constraints with 32 steps, 3 with 128, 2 with 256.
+ * such as a scissor lift, stays exact unless most of its bodies touch something, more than contacts can know its joints
+ * (direct/heavy_contacts.c): the links of a caterpillar track would be pressed into wheels. Contacts come and go: a loop that closed its
+ * joints whenever a body on it bounces would throw the body. So the loop stays soft for the longest span of a trust: of 80 seeds of the
+ * family `bridge` 8 are worse than soft constraints with 32 steps, 3 with 128, 2 with 256.
  */
 static int32_t loop_is_better_soft(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
-	int32_t touched;
-	if (!CNI_ON(SOFT_LOOPS) || world->settings.solver != CN_SOLVER_AUTO || !c->loops || c->has_contacts || c->body_begin == c->body_end || is_requested(world, sparse, c))
+	int32_t touched, bodies = c->body_end - c->body_begin;
+	if (!CNI_ON(SOFT_LOOPS) || world->settings.solver != CN_SOLVER_AUTO || !c->loops || c->has_contacts || bodies == 0 || is_requested(world, sparse, c))
 		return 0;
 	touched = touched_bodies(world, sparse, c);
-	return touched > 0 && has_pins_and_rods_alone(world, sparse, c) && (joints_to_fixed(world, sparse, c) > 1 || touched > cni_heavy_contacts_most(sparse, c));
+	if (touched == 0 || !has_pins_and_rods_alone(world, sparse, c))
+		return 0;
+	return joints_to_fixed(world, sparse, c) > 1 || (2 * touched > bodies && touched > cni_heavy_contacts_most(sparse, c));
 }
 
 /*
