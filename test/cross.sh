@@ -24,8 +24,9 @@ run() { # target tests, as source files
 	for test in "$@"; do tests="$tests $build/$target/${test%.c}"; done
 	(
 		started=$(date +%s)
-		${MAKE:-make} -s -j"$cores" test BUILD="$build/$target" CC="$compiler" CFLAGS= TEST_CFLAGS="-O2 $flags" JOBS="$cores" \
-			TEST_DEFINES="-DCNI_DEBUG -DTEST_SLOW $defines" LIBS="$libs" RUNNER="$runner" TESTS="$tests" > "$build/$target.log" 2>&1
+		${MAKE:-make} -s -j"$cores" test BUILD="$build/$target" CC="$compiler" CFLAGS= TEST_CFLAGS="-O1 $flags" JOBS="$cores" \
+			TEST_DEFINES="-DCNI_DEBUG -DTEST_SLOW $defines" LIBS="$libs" RUNNER="$runner" TESTS="$tests" \
+			AMALGAMATED="${AMALGAMATED:-}" > "$build/$target.log" 2>&1
 		echo $? > "$build/$target.code"
 		echo $(($(date +%s) - started)) > "$build/$target.seconds"
 	) &

@@ -14,17 +14,21 @@ build=$1
 shift
 cores=$(nproc 2>/dev/null || echo 2)
 at_a_time=2
+amalgamated=$build/amalgamation/cairn.c
+command -v python3 >/dev/null 2>&1 || amalgamated=
 results=$build/parts
 # The longest first, so that the last two end together; amalgamation and release, which write the same file, apart.
-parts='clang-address cross plain amalgamation clang-memory release helgrind clang-thread native ablation no-fused gcc-O0 no-threads
-	clang-O3 embedded work header-cxx header-padding check-links check-docs testbed-web mutations-apply'
+parts='clang-address cross plain amalgamation clang-memory release helgrind clang-thread native ablation no-threads
+	embedded work header-cxx header-padding check-links check-docs testbed-web mutations-apply'
 
 # ---------------------------------------------------------------- of one part
 
 add() { echo "$1 $2 $3 $4" >> "$results/$part.counts"; } # label passed failed skipped
 
+# Other compilers than clang take the library as one file, in half the time. Sanitizers of clang take longer then.
 suite() { # name compiler cflags defines [tests]
-	name=$1 compiler=$2 cflags=$3 defines=$4
+	name=$1 compiler=$2 cflags=$3 defines=$4 whole=
+	[ "$compiler" = clang-19 ] || whole=$amalgamated
 	tests=
 	for test in ${5:-}; do tests="$tests $build/$name/test/${test}_test"; done
 	if ! command -v "$compiler" >/dev/null 2>&1; then
@@ -33,7 +37,7 @@ suite() { # name compiler cflags defines [tests]
 		return
 	fi
 	${MAKE:-make} -s -j"$cores" test BUILD="$build/$name" CC="$compiler" CFLAGS= TEST_CFLAGS="$cflags" TEST_DEFINES="$defines" \
-		JOBS="$cores" ${tests:+"TESTS=$tests"} > "$build/$name.log" 2>&1
+		JOBS="$cores" AMALGAMATED="$whole" ${tests:+"TESTS=$tests"} > "$build/$name.log" 2>&1
 	read_log "$name" $?
 }
 
@@ -122,7 +126,6 @@ amalgamation() {
 		add amalgamation 0 0 1
 		return
 	fi
-	${MAKE:-make} -s amalgamation BUILD="$build" || { add amalgamation 0 1 0; return; }
 	check amalgamation-compiles amalgamation_compiles
 	check no-gnu-compiles no_gnu_compiles
 	if command -v g++ >/dev/null 2>&1; then check amalgamation-cxx amalgamation_cxx; else add amalgamation-cxx 0 0 1; fi
@@ -133,17 +136,15 @@ amalgamation() {
 }
 amalgamation_compiles() {
 	for compiler in gcc clang-19; do
-		for standard in c99 c11; do
-			for define in CN_BUILD CN_NO_SIMD CN_NO_THREADS CNI_DEBUG; do
-				"$compiler" -std=$standard -pedantic -Wall -Wextra -Wshadow -Wconversion -Wdouble-promotion -Werror -D$define -fsyntax-only \
-					"$build/amalgamation/cairn.c" || return 1
-			done
+		for choice in c99,CN_BUILD c99,CN_NO_SIMD c99,CN_NO_THREADS c11,CNI_DEBUG; do
+			"$compiler" -std=${choice%,*} -pedantic -Wall -Wextra -Wshadow -Wconversion -Wdouble-promotion -Werror -D${choice#*,} -fsyntax-only \
+				"$amalgamated" || return 1
 		done
 	done
 }
 no_gnu_compiles() {
 	for compiler in gcc clang-19; do
-		"$compiler" -std=c99 -pedantic -Wall -Wextra -Wno-unused-function -Werror -include bindings/test/no_gnu.h -fsyntax-only "$build/amalgamation/cairn.c" || return 1
+		"$compiler" -std=c99 -pedantic -Wall -Wextra -Wno-unused-function -Werror -include bindings/test/no_gnu.h -fsyntax-only "$amalgamated" || return 1
 	done
 }
 golden_with() { # compiler folder object...: the golden scenes with these objects of the library
@@ -153,9 +154,9 @@ golden_with() { # compiler folder object...: the golden scenes with these object
 		-lm -lpthread -o "$folder/determinism_test" && "$folder/determinism_test" golden
 }
 amalgamation_cxx() {
-	clang++-19 -std=c++17 -Wall -Wno-missing-braces -Werror -fsyntax-only -x c++ "$build/amalgamation/cairn.c" || return 1
+	clang++-19 -std=c++17 -Wall -Wno-missing-braces -Werror -fsyntax-only -x c++ "$amalgamated" || return 1
 	mkdir -p "$build/amalgamation/cxx"
-	g++ -std=c++17 -Wall -Werror -O1 -c -x c++ "$build/amalgamation/cairn.c" -o "$build/amalgamation/cxx/cairn.o" &&
+	g++ -std=c++17 -Wall -Werror -O1 -c -x c++ "$amalgamated" -o "$build/amalgamation/cxx/cairn.o" &&
 		golden_with gcc "$build/amalgamation/cxx" "$build/amalgamation/cxx/cairn.o"
 }
 tcc_files() {
@@ -168,7 +169,7 @@ tcc_files() {
 amalgamation_golden() { # compiler
 	folder=$build/amalgamation/$1
 	mkdir -p "$folder"
-	"$1" -std=c99 -O2 -c "$build/amalgamation/cairn.c" -o "$folder/cairn.o" &&
+	"$1" -std=c99 -O2 -c "$amalgamated" -o "$folder/cairn.o" &&
 		golden_with "$1" "$folder" "$folder/cairn.o" || return 1
 	[ "$(uname -m)" = x86_64 ] && [ "$1" != tcc ] || return 0
 	# Names of AVX instructions begin with v.
@@ -213,7 +214,7 @@ testbed_web() {
 
 # Other processors.
 cross() {
-	sh test/cross.sh "$build/cross" > "$build/cross.log" 2>&1
+	AMALGAMATED=$amalgamated sh test/cross.sh "$build/cross" > "$build/cross.log" 2>&1
 	read_log cross $?
 	grep -E '^[a-z0-9]+: .* s$' "$build/cross.log"
 }
@@ -238,19 +239,21 @@ header_without_padding() { gcc -std=c99 -pedantic -Wall -Wextra -Wpadded -Werror
 
 # No fused multiply-add where the processor has one: gcc's vectoriser makes them from "addsub" pairs even
 # with -ffp-contract=off (a x - b y beside b x + a y, as in a rotation), which changes bits.
-no_fused_operations() {
-	mkdir -p "$build/fused"
-	for arch in x86-64-v3 icelake-server; do
-		for file in src/*/*.c; do echo "$arch $file"; done
-	done | OUT=$build/fused xargs -P "$cores" -n 2 sh -c '
-		output=$OUT/$(echo "$1-$2" | tr / _).s
-		gcc -std=c99 -O3 -march=$1 -ffp-contract=off -Iinclude -Isrc -DCN_BUILD -S -o "$output" "$2" || exit 1
-		if grep -qE "[[:space:]]vfn?m(add|sub)" "$output"; then
-			echo "$2 has fused operations for $1"
-			exit 1
-		fi
-		rm -f "$output"
-	' sh
+no_fused_operations() { # object
+	if objdump -d --no-show-raw-insn "$1" | grep -m 3 -E "[[:space:]]vfn?m(add|sub)"; then return 1; fi
+	objdump -d --no-show-raw-insn "$1" | grep -q '%ymm' # for a processor that has them
+}
+# With all instructions of this processor, or of one that has fused operations.
+native() {
+	arch=native
+	grep -qw fma /proc/cpuinfo || arch=x86-64-v3
+	if [ $arch = native ]; then
+		suite native gcc '-O3 -march=native' '' "$bits $calls"
+	else
+		mkdir -p "$build/native/checked"
+		gcc -std=c99 -O3 -march=$arch -ffp-contract=off -c "$amalgamated" -o "$build/native/checked/cairn.o"
+	fi
+	if [ "$(uname -m)" = x86_64 ]; then check no-fused no_fused_operations "$build/native/checked/cairn.o"; else add no-fused 0 0 1; fi
 }
 
 sanitize='-O1 -gline-tables-only -fno-omit-frame-pointer -fno-sanitize-recover=all'
@@ -274,9 +277,7 @@ run_part() {
 		clang-thread) suite clang-thread clang-19 "-O1 -gline-tables-only -fno-omit-frame-pointer -fsanitize=thread" "$slow" "$threads" ;;
 		helgrind) helgrind ;;
 		no-threads) suite no-threads gcc '-O1' '-DCNI_DEBUG -DCN_NO_THREADS' "$threads $bits world/memory world/memory_block" ;;
-		gcc-O0) suite gcc-O0 gcc '-O0' "$slow -DTEST_EMULATED" "$bits" ;;
-		native) suite native gcc '-O3 -march=native' '' "$bits $calls" ;;
-		clang-O3) suite clang-O3 clang-19 '-O3' -DTEST_EMULATED "$bits" ;;
+		native) native ;;
 		header-cxx) if command -v g++ >/dev/null 2>&1; then check header-cxx header_in_cxx; else add header-cxx 0 0 1; fi ;;
 		header-padding) check header-padding header_without_padding ;;
 		ablation) check ablation env JOBS="$cores" sh test/ablation/run.sh "$build" --quick ;;
@@ -285,7 +286,6 @@ run_part() {
 		work) work ;;
 		embedded) embedded ;;
 		cross) cross ;;
-		no-fused) if [ "$(uname -m)" = x86_64 ]; then check no-fused no_fused_operations; else add no-fused 0 0 1; fi ;;
 		check-docs) check_docs ;;
 		testbed-web) testbed_web ;;
 		check-links) check check-links sh test/check_links.sh ;;
@@ -317,6 +317,7 @@ done
 rm -rf "$results"
 mkdir -p "$results"
 started=$(date +%s)
+[ -z "$amalgamated" ] || ${MAKE:-make} -s amalgamation BUILD="$build" || exit 1
 printf '%s\n' "$@" | SCRIPT=$0 BUILD_FOLDER=$build RESULTS=$results xargs -P $at_a_time -n 1 sh -c '
 	VARIANTS_PART=$1 sh "$SCRIPT" "$BUILD_FOLDER"
 	{ cat "$RESULTS/$1.txt"; awk "{ printf \"%s: %d passed, %d failed, %d skipped\n\", \$1, \$2, \$3, \$4 }" "$RESULTS/$1.counts"; } > "$RESULTS/$1.shown"

@@ -238,16 +238,16 @@ static float axis_free(const advance *v, cni_vec2 n, float t)
 /* 1 when the centroid of the shape is behind the chain edge at this fraction. */
 static int32_t is_behind(const cni_geometry *chain, int32_t child, const cni_path *chain_path, const cni_geometry *shape, const cni_path *path, float t)
 {
-	cni_vec2 edge[2];
+	cni_vec2 storage[2];
 	if (!cni_is_chain(chain->type))
 		return 0;
-	cni_geometry_proxy(chain, child, edge);
+	cni_proxy_points edge = cni_geometry_proxy(chain, child, storage);
 	cni_rot q_chain = cni_rot_mul(chain_path->q, cni_sincos(chain_path->turn * t));
 	cni_rot q = cni_rot_mul(path->q, cni_sincos(path->turn * t));
 	cni_vec2 between = cni_sub(cni_lerp(path->start, path->end, t), cni_lerp(chain_path->start, chain_path->end, t));
 	cni_vec2 seen = cni_unrotate(q_chain, cni_add(between, cni_rotate(q, cni_sub(shape->centroid, path->local_center))));
-	cni_vec2 from = cni_sub(seen, cni_sub(edge[0], chain_path->local_center));
-	return cni_dot(cni_right_perp(cni_sub(edge[1], edge[0])), from) < 0.0f;
+	cni_vec2 from = cni_sub(seen, cni_sub(edge.points[0], chain_path->local_center));
+	return cni_dot(cni_right_perp(cni_sub(edge.points[1], edge.points[0])), from) < 0.0f;
 }
 
 static int32_t comes_from_behind(const cni_toi_input *in, float t)
