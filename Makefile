@@ -236,21 +236,21 @@ feature-cost: $(BUILD)/bin/feature_cost
 
 $(BUILD)/checked/src/%.o: src/%.c $(BUILD)/checked/flags
 	@mkdir -p $(@D)
-	$(call say,cc)$(CC) $(LIB_FLAGS) $(CPPFLAGS) $(TEST_CFLAGS) $(TEST_DEFINES) -c $< -o $@
+	$(call say,cc)$(CC) $(LIB_FLAGS) $(CPPFLAGS) $(TEST_CFLAGS) $(TEST_DEFINES) $(FILE_CFLAGS) -c $< -o $@
 $(BUILD)/checked/cairn.o: $(AMALGAMATED) $(BUILD)/checked/flags
 	@mkdir -p $(@D)
-	$(call say,cc)$(CC) $(LIB_FLAGS) $(CPPFLAGS) $(TEST_CFLAGS) $(TEST_DEFINES) -c $< -o $@
+	$(call say,cc)$(CC) $(LIB_FLAGS) $(CPPFLAGS) $(TEST_CFLAGS) $(TEST_DEFINES) $(FILE_CFLAGS) -c $< -o $@
 $(BUILD)/checked/examples/%.o: examples/%.c $(BUILD)/checked/flags
 	@mkdir -p $(@D)
-	$(call say,cc)$(CC) $(EXAMPLE_FLAGS) $(CPPFLAGS) $(TEST_CFLAGS) $(TEST_DEFINES) -c $< -o $@
+	$(call say,cc)$(CC) $(EXAMPLE_FLAGS) $(CPPFLAGS) $(TEST_CFLAGS) $(TEST_DEFINES) $(FILE_CFLAGS) -c $< -o $@
 $(BUILD)/checked/test/%.o: test/%.c $(BUILD)/checked/flags
 	@mkdir -p $(@D)
-	$(call say,cc)$(CC) $(TEST_FLAGS) $(CPPFLAGS) $(TEST_CFLAGS) $(TEST_DEFINES) -c $< -o $@
+	$(call say,cc)$(CC) $(TEST_FLAGS) $(CPPFLAGS) $(TEST_CFLAGS) $(TEST_DEFINES) $(FILE_CFLAGS) -c $< -o $@
 
 # The undefined-behaviour sanitizer takes 20 s for each of these, whose code it checks in contact_kernel_plain.o; and -O1 as long for a test
 # that calls every function.
-$(BUILD)/checked/src/contacts/contact_kernel_4.o $(BUILD)/checked/src/contacts/contact_kernel_8.o: TEST_CFLAGS += $(if $(findstring undefined,$(TEST_CFLAGS)),-fno-sanitize=undefined)
-$(BUILD)/checked/test/world/arguments_test.o: TEST_CFLAGS += -O0
+$(BUILD)/checked/src/contacts/contact_kernel_4.o $(BUILD)/checked/src/contacts/contact_kernel_8.o: FILE_CFLAGS = $(if $(findstring undefined,$(TEST_CFLAGS)),-fno-sanitize=undefined)
+$(BUILD)/checked/test/world/arguments_test.o: FILE_CFLAGS = -O0
 
 $(BUILD)/libcairn-checked.a: $(CHECKED_OBJ)
 	@rm -f $@
