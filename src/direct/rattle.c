@@ -34,6 +34,8 @@
 #include "direct/rattle.h"
 #include "model/tuning.h"
 
+#include <string.h>
+
 /* ---- which components ---- */
 
 /* 1: no row but the rigid ones can act in this step. */
@@ -295,6 +297,30 @@ static int32_t substep(const rattle_step *g)
 
 /* ---- one substep of the projection ---- */
 
+/* Moves by a part of the solution that `closing` holds. Returns the largest gap then. */
+static float solution_move(const rattle_step *g, float part)
+{
+	int32_t k;
+	for (k = g->c->begin; k < g->c->end; ++k)
+		cni_four_store(g->sparse->nodes[k].x, cni_four_scale(cni_four_load(g->sparse->nodes[k].closing), part));
+	push_and_move(g, 0.0f);
+	return gaps_find(g);
+}
+
+/* Moves by the solution, or by half of it, a quarter and so on while that opens the gaps: near a straight chain a whole step of Newton's
+   method may turn light links too far. Returns the largest gap then. */
+static float solution_follow(const rattle_step *g, float last)
+{
+	float gap, part;
+	int32_t k;
+	for (k = g->c->begin; k < g->c->end; ++k)
+		memcpy(g->sparse->nodes[k].closing, g->sparse->nodes[k].x, sizeof g->sparse->nodes[k].x);
+	gap = solution_move(g, 1.0f);
+	for (part = 0.5f; gap > last && part >= CNI_RATTLE_STEP_LEAST; part *= 0.5f)
+		gap = solution_move(g, -part);
+	return gap;
+}
+
 /* Newton's method for rotations of any size: the levers are computed anew in each round. */
 static int32_t positions_project(const rattle_step *g)
 {
@@ -307,8 +333,7 @@ static int32_t positions_project(const rattle_step *g)
 		(void)gaps_find(g);
 		if (!cni_sparse_solve(g->sparse, g->c))
 			return BROKEN;
-		push_and_move(g, 0.0f);
-		gap = gaps_find(g);
+		gap = solution_follow(g, last);
 	}
 	return gap <= 2.0f * g->world->settings.accuracy ? CLOSED_WELL : OPEN;
 }

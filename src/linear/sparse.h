@@ -36,7 +36,7 @@ typedef struct cni_node {
 	float compliance[CNI_NODE_ROWS];   /* added to the diagonal */
 	float cross;                       /* ... and to the element between the first two rows */
 	float diagonal[CNI_NODE_ROWS];     /* of the present system */
-	float closing[CNI_NODE_LANES];     /* of a joint: speeds that correct errors are their negatives */
+	float closing[CNI_NODE_LANES];     /* of a joint: speeds that correct errors are their negatives; in projections (direct/rattle.c) the solution */
 	float x[CNI_NODE_LANES];           /* right hand side in, solution out; the last is zero */
 	float carried[CNI_NODE_LANES];     /* impulses at the begin of a pass */
 	float total[CNI_NODE_LANES];       /* sum of the solutions so far, where there are several; without contacts: speeds of the rows, then targets */

@@ -264,6 +264,8 @@ CNI_TUNING_COUNT(CNI_RATTLE_NEWTON_ROUNDS, 5)
 CNI_TUNING_FLOAT(CNI_RATTLE_FAILED_GAP, 50.0f)
 /* Rounds of the projection of gaps. */
 CNI_TUNING_COUNT(CNI_RATTLE_PROJECT_ROUNDS, 12)
+/* Least part of a step of Newton's method in a projection. */
+CNI_TUNING_FLOAT(CNI_RATTLE_STEP_LEAST, 0.01f)
 /* Part of its gap that a round of the projection may leave to a loop, or the projection ends: some loops cannot be closed. */
 CNI_TUNING_FLOAT(CNI_RATTLE_SLOWEST_PART, 0.9f)
 /* Part of the kinetic energy that correcting a step's energy may take out. A step that gains more has failed. */
