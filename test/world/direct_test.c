@@ -61,8 +61,8 @@ static void add_load(scene *s, cn_body link, float side, float x, float y, float
 }
 
 /* A rope of 12 links over a peg with a load at each end, stepped by frames of 1/2 to 3/2 of 1/60 s. Returns the greatest rise of energy as
-   a part of that of all loads falling by the rope's length. */
-static double rope_over_peg_run(float factor, float other, float aside)
+   a part of that of all loads falling by the rope's length; *gap, m: the mean over the frames of the widest joint. */
+static double rope_over_peg_run(float factor, float other, float aside, double *gap)
 {
 	scene s = scene_open(GRAVITY, 0, CN_SOLVER_AUTO);
 	const float y = 12.0f + 0.4f + THIN, start = -12.0f * LINK + aside;
@@ -80,6 +80,7 @@ static double rope_over_peg_run(float factor, float other, float aside)
 		random = random * 1664525u + 1013904223u;
 		must(cn_world_step(s.world, FRAME_S * (0.5f + (float)(random >> 8) / 16777216.0f)), s.world, "cn_world_step");
 		rise = greater(rise, (energy_in(&s) - begin) / whole);
+		*gap += worst_joint_error(s.world) / 300.0;
 	}
 	scene_close(&s);
 	return rise;
@@ -92,12 +93,17 @@ static double rope_over_peg_run(float factor, float other, float aside)
 static void ropes_over_a_peg_gain_no_energy(void)
 {
 	static const float factors[] = { 300.0f, 1000.0f, 2000.0f };
-	double rise = 0.0;
+	double rise = 0.0, gaps = 0.0;
 	int32_t i, k;
 	for (i = 0; i < 3; ++i)
-		for (k = 0; k < 8; ++k)
-			rise = greater(rise, rope_over_peg_run(factors[i], (0.2f + 0.1f * (float)k) * factors[i], 0.1f * (float)(k % 3)));
+		for (k = 0; k < 8; ++k) {
+			double gap = 0.0;
+			rise = greater(rise, rope_over_peg_run(factors[i], (0.2f + 0.1f * (float)k) * factors[i], 0.1f * (float)(k % 3), &gap));
+			gaps += gap / 24.0;
+		}
 	CHECK_LE("greatest rise of energy, 24 ropes", rise, 0.02, "");
+	/* 0.14 m where contacts of pressed links with the peg do not know the joints: CNI_HEAVY_STATIC_STRESS. */
+	CHECK_LE("gap of the widest joint, mean of 24 ropes", gaps, 0.03, "m");
 }
 
 /* ---- a sling ---- */
