@@ -106,7 +106,7 @@ static void chains_whip(void)
    up to 4.8 m in 8 of these 24 scenes. Returns the widest gap, m. */
 static double gap_when_straight(float lean, float ratio)
 {
-	scene s = scene_open(0.0f, 0, CN_SOLVER_AUTO);
+	scene s = scene_open(0.0, 0, CN_SOLVER_AUTO);
 	const float half = 0.442f, mass = 0.0539f;
 	cn_body last = 0;
 	double gap = 0.0;
