@@ -241,7 +241,7 @@ static void batch_range(void *context, int32_t begin, int32_t end, int32_t worke
 
 static void batches_run(cn_world *world, const cni_solve *s, cni_tree_batch_kernel_fn *run)
 {
-	batch_loop loop = { world, NULL, run, { { s->h, s->inv_h, s->warm_scale, s->joint }, CNI_JOINT_ERROR_RATE * s->inv_h, s->push_speed,
+	batch_loop loop = { world, NULL, run, { { s->h, s->inv_h, s->warm_scale, s->joint, s->restless_speed }, CNI_JOINT_ERROR_RATE * s->inv_h, s->push_speed,
 		CNI_BAD_PART * world->settings.accuracy * s->inv_h, CNI_PROJECTION_TURN_RAD * s->inv_h } };
 	if (s->direct == NULL || s->direct->batch_count == 0)
 		return;

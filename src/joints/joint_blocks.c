@@ -70,7 +70,7 @@ typedef struct lane_builder {
 	cn_world *world;
 	const cni_solve *s;
 	cni_lane_spring spring;
-	int32_t open[CNI_JOINT_COLORS][CNI_FORMS]; /* the last block begun for this colour and form */
+	int32_t open[CNI_JOINT_COLORS][CNI_FORMS][2]; /* the last block begun for this colour, form and `small` */
 } lane_builder;
 
 /* Takes a colour that neither body uses yet and marks it as used; CNI_NONE: there is none. */
@@ -102,15 +102,16 @@ int32_t cni_joint_block_take(cn_world *world)
 	return index;
 }
 
-/* A block of this colour and form with an empty lane. */
-static cni_joint_block *block_open(lane_builder *t, int32_t color, int32_t form)
+/* A block of this colour, form and `small` with an empty lane. */
+static cni_joint_block *block_open(lane_builder *t, int32_t color, int32_t form, int32_t small)
 {
 	cn_world *world = t->world;
-	int32_t *open = &t->open[color][form];
+	int32_t *open = &t->open[color][form][small];
 	if (*open == CNI_NONE || cni_joint_blocks(world)[*open].lanes == CNI_LANES) {
 		*open = cni_joint_block_take(world);
 		cni_joint_blocks(world)[*open].form = form;
 		cni_joint_blocks(world)[*open].color = color;
+		cni_joint_blocks(world)[*open].small = small;
 		++world->joint_blocks_of[color];
 	}
 	return cni_joint_blocks(world) + *open;
@@ -236,7 +237,7 @@ static int32_t lane_take(lane_builder *t, int32_t k)
 	cni_joint_block *block;
 	if (color == CNI_NONE)
 		return 0;
-	block = block_open(t, color, w->form);
+	block = block_open(t, color, w->form, cni_joint_is_of_small(world, w));
 	l = block->lanes++;
 	block->moves_a |= (uint32_t)cni_motion_can_move(cni_motions(world) + w->ia) << l;
 	block->moves_b |= (uint32_t)cni_motion_can_move(cni_motions(world) + w->ib) << l;
@@ -263,7 +264,8 @@ static int32_t lane_fill_again(cn_world *world, const cni_solve *s, struct cni_l
 	const cni_joint_constraint *w = cni_joint_constraints(world) + k;
 	int32_t l = w->kept_lane % CNI_LANES;
 	cni_joint_block *block = cni_joint_blocks(world) + w->kept_lane / CNI_LANES;
-	if (block->ia[l] != w->ia || block->ib[l] != w->ib || w->kept_parts != w->parts || block->form != w->form || !cni_joint_fits_lane(world, s, w) ||
+	if (block->ia[l] != w->ia || block->ib[l] != w->ib || w->kept_parts != w->parts || block->form != w->form ||
+	    block->small != cni_joint_is_of_small(world, w) || !cni_joint_fits_lane(world, s, w) ||
 	    (int32_t)(block->moves_a >> l & 1u) != cni_motion_can_move(cni_motions(world) + w->ia) ||
 	    (int32_t)(block->moves_b >> l & 1u) != cni_motion_can_move(cni_motions(world) + w->ib))
 		return 0;
@@ -354,7 +356,7 @@ int32_t cni_joint_constraint_widen(cn_world *world, const cni_solve *s, struct c
    the number of the latter. */
 static int32_t lanes_gather(cn_world *world, const cni_solve *s)
 {
-	lane_builder t = { world, s, { 0.0f, 0.0f, { 0.0f, 0.0f, 1.0f } }, { { 0 } } };
+	lane_builder t = { world, s, { 0.0f, 0.0f, { 0.0f, 0.0f, 1.0f } }, { { { 0 } } } };
 	int32_t k, left = 0, *plain = &world->joint_plain_first;
 	memset(t.open, -1, sizeof t.open); /* CNI_NONE */
 	for (k = 0; k < world->awake_joints.count; ++k) {
@@ -394,6 +396,7 @@ typedef struct color_pass {
 	cni_joint_pass pass;
 	cni_joint_kernel_fn *run;
 	int32_t first; /* first block of the colour in the list */
+	int32_t small; /* 1: blocks of small islands alone */
 } color_pass;
 
 static void color_pass_run(void *context, int32_t begin, int32_t end, int32_t worker)
@@ -403,12 +406,14 @@ static void color_pass_run(void *context, int32_t begin, int32_t end, int32_t wo
 	int32_t k;
 	(void)worker;
 	for (k = c->first + begin; k < c->first + end; ++k)
-		c->run(cni_motions(c->world), cni_starts(c->world), &blocks[blocks[k].listed], &c->pass);
+		if (!c->small || blocks[blocks[k].listed].small)
+			c->run(cni_motions(c->world), cni_starts(c->world), &blocks[blocks[k].listed], &c->pass);
 }
 
-static void colors_run(cn_world *world, const cni_solve *s, cni_joint_kernel_fn *run)
+/* small: those blocks alone. */
+static void colors_run(cn_world *world, const cni_solve *s, cni_joint_kernel_fn *run, int32_t small)
 {
-	color_pass c = { world, { s->h, s->inv_h, s->warm_scale, s->joint }, run, 0 };
+	color_pass c = { world, { s->h, s->inv_h, s->warm_scale, s->joint, s->restless_speed }, run, 0, small };
 	int32_t color;
 	for (color = 0; color < CNI_JOINT_COLORS && world->joint_blocks.count > 0; ++color) {
 		cni_team_for(s->team, world->joint_blocks_of[color], BLOCKS_A_RANGE, color_pass_run, &c);
@@ -418,17 +423,21 @@ static void colors_run(cn_world *world, const cni_solve *s, cni_joint_kernel_fn 
 
 void cni_joint_blocks_warm(cn_world *world, const cni_solve *s)
 {
-	colors_run(world, s, s->joint_kernel->warm);
+	colors_run(world, s, s->joint_kernel->warm, 0);
 }
 
 void cni_joint_blocks_solve(cn_world *world, const cni_solve *s)
 {
-	colors_run(world, s, s->joint_kernel->solve);
+	colors_run(world, s, s->joint_kernel->solve, 0);
 }
 
-void cni_joint_blocks_relax(cn_world *world, const cni_solve *s)
+int32_t cni_joint_blocks_relax(cn_world *world, const cni_solve *s, int32_t again)
 {
-	colors_run(world, s, s->joint_kernel->relax);
+	int32_t k, restless = 0;
+	colors_run(world, s, s->joint_kernel->relax, again);
+	for (k = 0; k < world->joint_blocks.count; ++k)
+		restless |= cni_joint_blocks(world)[k].small & cni_joint_blocks(world)[k].restless;
+	return restless;
 }
 
 /* ---- storing ---- */

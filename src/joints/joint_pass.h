@@ -24,6 +24,7 @@
 #define CNI_JOINTS_JOINT_PASS_H
 
 #include "joints/joint_constraint.h"
+#include "model/tuning.h"
 
 typedef struct cni_joint_block {
 	int32_t ia[CNI_LANES], ib[CNI_LANES];  /* dense body indices */
@@ -44,7 +45,9 @@ typedef struct cni_joint_block {
 	uint32_t parts;                        /* CN_JOINT_SPRING, _MOTOR, _LIMIT: some lane has one */
 	uint32_t moves_a, moves_b;             /* lanes, as bits, whose body can move and is written */
 	int32_t listed;                        /* (of the n-th block) index of the n-th block of all colours in order */
-	int32_t reserved[7];
+	int32_t small;                         /* 1: of small islands, whose joints are relaxed again: joint_solve.c */
+	int32_t restless;                      /* 1: the last relax pass changed a velocity by more than restless_speed */
+	int32_t reserved[5];
 } cni_joint_block;
 
 /* Byte offset from a body's row of indices to its row of inverse inertias, on either side. */
@@ -54,6 +57,7 @@ typedef struct cni_joint_pass {
 	float h, inv_h;
 	float warm_scale;
 	cni_soft soft;
+	float restless_speed;
 } cni_joint_pass;
 
 /* Works on the block's lanes, rounded up to whole vectors; the lanes behind are empty. */
@@ -98,7 +102,14 @@ const cni_joint_kernel *cni_joint_kernel_choose(void);
 void cni_joint_blocks_begin(cn_world *world);
 void cni_joint_blocks_warm(cn_world *world, const cni_solve *s);
 void cni_joint_blocks_solve(cn_world *world, const cni_solve *s);
-void cni_joint_blocks_relax(cn_world *world, const cni_solve *s);
+/* Returns 1 when a lane of a small island changed a velocity by more than restless_speed. again: lanes of small islands alone. */
+int32_t cni_joint_blocks_relax(cn_world *world, const cni_solve *s, int32_t again);
+/* 1: the joint's island is so small that its joints are relaxed again: joint_solve.c */
+static inline int32_t cni_joint_is_of_small(const cn_world *world, const cni_joint_constraint *w)
+{
+	int32_t island = cni_body_at(world, w->record->body[w->ib > 0])->island;
+	return island == CNI_NONE || cni_island_at(world, island)->count <= CNI_JOINT_RELAX_BODIES;
+}
 /* Appends a cleared block of pins without a colour. Returns its index. */
 int32_t cni_joint_block_take(cn_world *world);
 /* The last spring and its coefficients: neighbouring joints often have equal springs. */

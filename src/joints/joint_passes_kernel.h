@@ -106,16 +106,25 @@ CNI_INLINE void distance_turn(cni_velocity_start *starts, cni_joint_block *k, in
 	force_turn(starts, k->ib + l, k->moves_b >> l, b, 1.0f, &b1, &b0);
 }
 
+/* Lanes in which the velocity of a body changes by more than the speed. */
+CNI_INLINE cni_mask side_changes(const side *before, const side *after, float speed)
+{
+	return cni_wide_max(cni_wide_abs(after->vx - before->vx), cni_wide_abs(after->vy - before->vy)) > cni_wide_of(speed);
+}
+
 CNI_INLINE void relax_lanes(cni_motion *motions, cni_velocity_start *starts, cni_joint_block *k, const cni_joint_pass *pass, int32_t kind)
 {
 	const cni_wide zero = cni_wide_of(0.0f);
 	int32_t l;
+	k->restless = 0;
 	for (l = 0; l < k->lanes; l += CNI_WIDTH) {
 		cni_wide jx = cni_wide_load(k->jx + l), jy = cni_wide_load(k->jy + l), nx = cni_wide_load(k->ex + l), ny = cni_wide_load(k->ey + l);
 		place at_a = place_gather(motions, k->ia + l), at_b = place_gather(motions, k->ib + l);
 		arms old = arms_load(k, l), r = arms_renew(&at_a, &at_b, k, l, kind == ANGULAR_PINS);
-		side a, b;
+		side a, b, a_before, b_before;
 		sides_gather(motions, k, l, &a, &b);
+		a_before = a;
+		b_before = b;
 		if (kind == DISTANCES) {
 			distance_turn(starts, k, l, &a, &b, &r, &old, nx, ny);
 		} else {
@@ -123,6 +132,8 @@ CNI_INLINE void relax_lanes(cni_motion *motions, cni_velocity_start *starts, cni
 			start_change(starts, k->ib + l, k->moves_b >> l, zero, zero, b.i * ((r.bx - old.bx) * jy - (r.by - old.by) * jx));
 		}
 		lane_solve(k, l, &a, &b, &r, pass, 0, kind);
+		if (k->small)
+			k->restless |= cni_mask_bits(side_changes(&a_before, &a, pass->restless_speed) | side_changes(&b_before, &b, pass->restless_speed)) != 0;
 		sides_scatter(motions, k, l, &a, &b);
 	}
 }

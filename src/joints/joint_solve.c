@@ -11,6 +11,7 @@
  */
 #include "joints/joints.h"
 #include "joints/joint_pass.h"
+#include "model/tuning.h"
 
 #define PREFETCH_AHEAD 8 /* joints */
 #define JOINTS_A_RANGE 256
@@ -235,16 +236,42 @@ void cni_joints_solve_fresh(cn_world *world, const cni_solve *s, int32_t constra
 	}
 }
 
-void cni_joints_relax(cn_world *world, const cni_solve *s)
+static int32_t changes_by(const cni_motion *before, const cni_motion *after, float speed)
 {
-	int32_t k;
+	return cni_max(cni_abs(after->vx - before->vx), cni_abs(after->vy - before->vy)) > speed;
+}
+
+/* Returns 1 when a joint of a small island changed a velocity by more than restless_speed. again: joints of small islands alone. */
+static int32_t plain_relax(cn_world *world, const cni_solve *s, int32_t again)
+{
+	int32_t k, small, restless = 0;
 	cni_joint_constraint *w;
 	for (k = world->joint_plain_first; k != CNI_NONE; k = w->next_plain) {
+		cni_motion a, b;
 		w = cni_joint_constraints(world) + k;
-		cni_joint_rows_renew(world, w);
+		small = cni_joint_is_of_small(world, w);
+		if (again && !small)
+			continue;
+		if (!again)
+			cni_joint_rows_renew(world, w);
+		a = cni_motions(world)[w->ia];
+		b = cni_motions(world)[w->ib];
 		solve_constraint(w, cni_motions(world), s, 0);
+		restless |= small & (changes_by(&a, cni_motions(world) + w->ia, s->restless_speed) | changes_by(&b, cni_motions(world) + w->ib, s->restless_speed));
 	}
-	cni_joint_blocks_relax(world, s);
+	return restless;
+}
+
+/*
+ * A relax pass that changes velocities much leaves much: one does not take out of a linkage with loops what the soft pass put in, and a strong
+ * motor drives its energy up from step to step. So the pass is repeated while it does, for joints of small islands. A large net converges in no
+ * number of passes, and more of them take from its tension what holds it.
+ */
+void cni_joints_relax(cn_world *world, const cni_solve *s)
+{
+	int32_t round, restless = 1;
+	for (round = 0; round < CNI_JOINT_RELAX_ROUNDS && restless; ++round)
+		restless = plain_relax(world, s, round > 0) | cni_joint_blocks_relax(world, s, round > 0);
 }
 
 void cni_joints_stress(cn_world *world, const cni_solve *s)

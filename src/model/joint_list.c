@@ -22,7 +22,7 @@ int32_t cni_joint_find(const cn_world *world, uint32_t handle, int32_t constrain
 
 int32_t cni_joint_blocks_for(int32_t joints)
 {
-	return joints / CNI_LANES + cni_min_i(joints, 2 * CNI_JOINT_COLORS);
+	return joints / CNI_LANES + cni_min_i(joints, 4 * CNI_JOINT_COLORS);
 }
 
 cn_result cni_joint_reserve(cn_world *world, int32_t extra)

@@ -80,6 +80,7 @@ typedef struct cni_solve {
 	float jump_speed;         /* a larger change of a body's velocity in one substep counts as a jump */
 	cni_contact_pass contact[CNI_CONTACTS_KINDS];
 	cni_soft joint;
+	float restless_speed;     /* joints are relaxed again while that changes a velocity by more */
 	const struct cni_contact_kernel *kernel;
 	const struct cni_joint_kernel *joint_kernel;
 	const struct cni_body_kernel *body_kernel; /* NULL: bodies one by one */

@@ -250,6 +250,15 @@ CNI_TUNING_FLOAT(CNI_CONE_STIFF_MAX, 1e12f)
 /* A smaller coefficient of friction counts as none. */
 CNI_TUNING_FLOAT(CNI_CONE_FRICTION_LEAST, 1e-4f)
 
+/* ---------------------------------------------------------------- soft joints */
+
+/* Length units a second. */
+CNI_TUNING_FLOAT(CNI_JOINT_RESTLESS, 1.0f)
+/* Most bodies of an island whose joints are relaxed again. */
+CNI_TUNING_COUNT(CNI_JOINT_RELAX_BODIES, 64)
+/* Relax passes in a substep. */
+CNI_TUNING_COUNT(CNI_JOINT_RELAX_ROUNDS, 8)
+
 /* ---------------------------------------------------------------- direct: RATTLE */
 
 /* Length units or radians. A joint with a smaller gap is closed. */

@@ -93,6 +93,7 @@ static cni_solve make(const cn_world *world, float dt, int32_t substeps)
 	s.jump_speed = set->length_unit;
 	for (kind = 0; kind < CNI_CONTACTS_KINDS; ++kind)
 		s.contact[kind] = contact_pass_make(world, &s, kind);
+	s.restless_speed = CNI_JOINT_RESTLESS * set->length_unit;
 	s.joint = cni_soft_implicit(0.25f * s.inv_h, 2.0f, s.h);
 	s.pushed_most = dt * cni_min(set->slop * cni_soft_error_rate(&s.contact[0].soft, 1), 0.5f * set->push_speed_max); /* a slop is left */
 	s.kernel = cni_contact_kernel_choose();

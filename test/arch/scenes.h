@@ -19,13 +19,13 @@ typedef struct arch_scene {
 #define ARCH_SCENES 8
 static const arch_scene arch_scenes[ARCH_SCENES] = {
 	{ "shapes", scene_shapes, 0xc476881e190c61ee },
-	{ "joints", scene_joints, 0xa6bf05b628b4bc9a },
-	{ "direct", scene_direct, 0xefcffed4b07382b6 },
-	{ "tiers", scene_tiers, 0x0b0ee2ef72cc7d03 },
+	{ "joints", scene_joints, 0x73c985e8d962022b },
+	{ "direct", scene_direct, 0x43ffe0390e770e31 },
+	{ "tiers", scene_tiers, 0x6dfd8f6373cd3ba5 },
 	{ "sequential", scene_sequential, 0x37028daf8c29bd86 },
 	{ "queries", scene_queries, 0x87ec33d6dbf77bec },
-	{ "events", scene_events, 0xce0aa3eca21c4f2d },
-	{ "file", scene_file, 0x6c914ad9179664df },
+	{ "events", scene_events, 0x4c76a3d30aec7999 },
+	{ "file", scene_file, 0x80ca8ead18929ca6 },
 };
 
 /* The number of a scene; 0 if a call failed: arch_failed_line. */

@@ -107,7 +107,7 @@ static void bench_draw(uint32_t seed)
 
 static void bench_run(bench *b, const cni_joint_kernel *kernel)
 {
-	cni_joint_pass pass = { 1.0f / 240.0f, 240.0f, 0.9f, { 0.9f, 60.0f, 0.1f } };
+	cni_joint_pass pass = { 1.0f / 240.0f, 240.0f, 0.9f, { 0.9f, 60.0f, 0.1f }, 1.0f };
 	*b = drawn;
 	kernel->warm(b->motions, b->starts, &b->block, &pass);
 	kernel->solve(b->motions, b->starts, &b->block, &pass);
