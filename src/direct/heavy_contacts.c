@@ -209,7 +209,9 @@ int32_t cni_heavy_contacts_list(const cn_world *world, const cni_solve *s, cni_s
 	const cni_component *c = &sparse->components[component];
 	int32_t k, first = sparse->heavy_count, most;
 	float ratio;
-	if (!CNI_ON(HEAVY_CONTACTS) || !CNI_ON(JOINT_PROJECTION) || c->has_contacts || !cni_component_is_touched(world, sparse, c) || may_break(world, sparse, c))
+	if (!CNI_ON(HEAVY_CONTACTS))
+		return 0;
+	if (!CNI_ON(JOINT_PROJECTION) || c->has_contacts || !cni_component_is_touched(world, sparse, c) || may_break(world, sparse, c))
 		return 0;
 	ratio = ratio_of(sparse, c);
 	most = cni_min_i(first + cni_heavy_contacts_most(sparse, c), CNI_HEAVY_CONTACTS_MOST);
