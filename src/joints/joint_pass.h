@@ -107,7 +107,9 @@ int32_t cni_joint_blocks_relax(cn_world *world, const cni_solve *s, int32_t agai
 /* 1: the joint's island is so small that its joints are relaxed again: joint_solve.c */
 static inline int32_t cni_joint_is_of_small(const cn_world *world, const cni_joint_constraint *w)
 {
-	int32_t island = cni_body_at(world, w->record->body[w->ib > 0])->island;
+	int32_t island = w->ib > 0 ? cni_body_at(world, w->record->body[1])->island : CNI_NONE;
+	if (island == CNI_NONE && w->ia > 0) /* b is kinematic */
+		island = cni_body_at(world, w->record->body[0])->island;
 	return island == CNI_NONE || cni_island_at(world, island)->count <= CNI_JOINT_RELAX_BODIES;
 }
 /* Appends a cleared block of pins without a colour. Returns its index. */
