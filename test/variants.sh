@@ -253,7 +253,7 @@ native() {
 		mkdir -p "$build/native/checked"
 		gcc -std=c99 -O3 -march=$arch -ffp-contract=off -c "$amalgamated" -o "$build/native/checked/cairn.o"
 	fi
-	if [ "$(uname -m)" = x86_64 ]; then check no-fused no_fused_operations "$build/native/checked/cairn.o"; else add no-fused 0 0 1; fi
+	if [ "$(uname -m)" = x86_64 ] && [ -n "$amalgamated" ]; then check no-fused no_fused_operations "$build/native/checked/cairn.o"; else add no-fused 0 0 1; fi
 }
 
 sanitize='-O1 -gline-tables-only -fno-omit-frame-pointer -fno-sanitize-recover=all'

@@ -244,20 +244,20 @@ static int32_t changes_by(const cni_motion *before, const cni_motion *after, flo
 /* Returns 1 when a joint of a small island changed a velocity by more than restless_speed. again: joints of small islands alone. */
 static int32_t plain_relax(cn_world *world, const cni_solve *s, int32_t again)
 {
-	int32_t k, small, restless = 0;
+	int32_t k, restless = 0;
 	cni_joint_constraint *w;
 	for (k = world->joint_plain_first; k != CNI_NONE; k = w->next_plain) {
 		cni_motion a, b;
 		w = cni_joint_constraints(world) + k;
-		small = cni_joint_is_of_small(world, w);
-		if (again && !small)
+		if (again && !cni_joint_is_of_small(world, w))
 			continue;
 		if (!again)
 			cni_joint_rows_renew(world, w);
 		a = cni_motions(world)[w->ia];
 		b = cni_motions(world)[w->ib];
 		solve_constraint(w, cni_motions(world), s, 0);
-		restless |= small & (changes_by(&a, cni_motions(world) + w->ia, s->restless_speed) | changes_by(&b, cni_motions(world) + w->ib, s->restless_speed));
+		if (!restless && (changes_by(&a, cni_motions(world) + w->ia, s->restless_speed) || changes_by(&b, cni_motions(world) + w->ib, s->restless_speed)))
+			restless = cni_joint_is_of_small(world, w);
 	}
 	return restless;
 }
