@@ -29,13 +29,6 @@ static int32_t contact_may_solve(const cn_world *world, const cni_contact *c)
 	return 1;
 }
 
-/* A pair whose event mask changed during sleep begins to report when it wakes. */
-static void send_deferred_events(cn_world *world, int32_t contact)
-{
-	cni_contact_send_deferred_events(world, contact, CNI_CONTACT_CREATED_OWED, CN_EVENT_CREATED);
-	cni_contact_send_deferred_events(world, contact, CNI_CONTACT_ENTER_OWED, CN_EVENT_ENTER);
-}
-
 static void wake_links_of(cn_world *world, int32_t body)
 {
 	const cni_body *b = cni_body_at(world, body);
@@ -44,8 +37,6 @@ static void wake_links_of(cn_world *world, int32_t body)
 		const cni_contact *c = cni_contact_of_key(world, key);
 		cni_contact_mark_static(cni_body_at(world, c->body[0]), cni_body_at(world, c->body[1]));
 		cni_contact_enter_apart_list(world, key >> 1);
-		if (world->events.in_step)
-			send_deferred_events(world, key >> 1);
 		if ((c->flags & CNI_CONTACT_ASLEEP) && contact_may_solve(world, c))
 			cni_contact_sleep_to_lane(world, key >> 1);
 	}

@@ -498,6 +498,7 @@ static int64_t fail_run(int64_t fail_first, int64_t fail_last, uint32_t one_in, 
 	static box_world w;
 	int32_t step, id;
 	int64_t failed;
+	cni_vec2 from;
 	memset(pair_known, 0, sizeof(pair_known));
 	random_state = 77;
 	if (!world_open(&w, FAIL_BOXES, fail_first, fail_last)) {
@@ -531,7 +532,8 @@ static int64_t fail_run(int64_t fail_first, int64_t fail_last, uint32_t one_in, 
 		sums->invalid += !w.ops->validate(w.broadphase);
 		sums->invalid += step >= 12 && w.pairs.pairs_lost > 0;
 		sums->wrong_queries += query_differs(&w, box_within(-9, 9, -9, 9, cni_v(5, 5)));
-		sums->wrong_queries += ray_differs(&w, size_between(-9, 9), size_between(-18, 18));
+		from = size_between(-9, 9);
+		sums->wrong_queries += ray_differs(&w, from, size_between(-18, 18));
 	}
 	failed = w.flaky.failed;
 	world_close(&w);

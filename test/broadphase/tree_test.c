@@ -206,9 +206,9 @@ static void t_searches_find_what_brute_force_finds(void)
 			invalid += !cni_tree_validate(&p.tree);
 		}
 		for (k = 0; k < 20; ++k) {
-			cni_vec2 o = cni_v(random_between(-60.0f, 60.0f), random_between(-60.0f, 60.0f));
-			cni_vec2 d = cni_v(k % 5 == 0 ? 0.0f : random_between(-80.0f, 80.0f), k % 7 == 0 ? 0.0f : random_between(-80.0f, 80.0f));
-			wrong += query_differs(random_box(50.0f, 20.0f)) + ray_differs(o, d);
+			float x = random_between(-60.0f, 60.0f), y = random_between(-60.0f, 60.0f);
+			float dx = k % 5 == 0 ? 0.0f : random_between(-80.0f, 80.0f), dy = k % 7 == 0 ? 0.0f : random_between(-80.0f, 80.0f);
+			wrong += query_differs(random_box(50.0f, 20.0f)) + ray_differs(cni_v(x, y), cni_v(dx, dy));
 		}
 		wrong += pairs_differ(&pairs);
 		if (round % 2)

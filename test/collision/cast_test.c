@@ -77,7 +77,7 @@ static int crosses_edge(const double_set *a, const double_set *o, cni_vec2 d, do
 
 static cni_vec2 random_translation(cni_vec2 from, float size)
 {
-	cni_vec2 target = cni_v(random_in(-size, size), random_in(-size, size));
+	cni_vec2 target = random_vec(size);
 	return cni_mul(random_in(0.3f, 3.0f), cni_sub(target, from));
 }
 
@@ -87,7 +87,7 @@ static void random_rays(int32_t count, float size, float distance)
 	int crossed = 0;
 	memset(&seen, 0, sizeof seen);
 	for (int32_t k = 0; k < count; ++k) {
-		cni_vec2 o = cni_v(random_in(-distance, distance), random_in(-distance, distance));
+		cni_vec2 o = random_vec(distance);
 		cni_vec2 d = random_translation(o, size), storage[2], none = { 0.0f, 0.0f };
 		cni_proxy_points point = { &none, 1, 0.0f };
 		cni_cast_hit h;
@@ -121,7 +121,7 @@ static void random_shapes(int32_t count, float size_a, float size_m, float dista
 		cni_vec2 storage[2], storage_m[2];
 		record_random(&a, k % 4, size_a);
 		record_random(&b, (k / 4) % 3, size_m);
-		cni_transform at = transform_make(random_in(-distance, distance), random_in(-distance, distance), random_in(-3.0f, 3.0f));
+		cni_transform at = random_transform(distance, 3.0f);
 		if (k & 16)
 			at.q.c = 1.0f, at.q.s = 0.0f;
 		cni_vec2 d = random_translation(at.t, size_a + size_m);

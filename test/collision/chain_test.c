@@ -78,7 +78,7 @@ static void t_flat_chain_never_catches(void)
 			continue;
 		/* Includes vertices exactly under a joint. */
 		float x = random_below(2) ? random_in(-4, 4) : 12.0f * (float)random_below(10) / 40.0f;
-		cni_transform chain = transform_make(random_in(-5, 5), random_in(-5, 5), random_in(-3.1f, 3.1f));
+		cni_transform chain = random_transform(5, 3.1f);
 		placed p = place(chain, x, -bottom - depth, angle);
 		cni_vec2 up = cni_unrotate(p.pose.q, cni_rotate(chain.q, cni_v(0, 1)));
 		/* Shapes whose centroid is below ground do not count. */

@@ -12,7 +12,7 @@ static void t_segments(void)
 	for (int32_t k = 0; k < 20000; ++k) {
 		cni_vec2 p[4];
 		for (int32_t i = 0; i < 4; ++i)
-			p[i] = random_below(3) ? cni_v(random_in(-1, 1), random_in(-1, 1)) : cni_v((float)random_below(3), (float)random_below(3));
+			p[i] = random_below(3) ? random_vec(1) : cni_v((float)random_below(3), (float)random_below(3));
 		cni_segment_distance s = cni_segment_to_segment(p[0], p[1], p[2], p[3]);
 		double d = sqrt((double)s.distance_sq), best = 1e30;
 		for (int32_t i = 0; i <= 400; ++i) {

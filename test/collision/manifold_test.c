@@ -160,8 +160,8 @@ static void t_moving_both_changes_nothing(void)
 	for (int32_t k = 0; k < 20000; ++k) {
 		/* The same shape built at another offset in its body, with the inverse transform. */
 		cn_polygon pa = random_polygon(1.0f), pb = random_polygon(1.0f);
-		cni_transform x = transform_make(random_in(-2, 2), random_in(-2, 2), random_in(-3, 3));
-		cni_transform y = transform_make(random_in(-1.5f, 1.5f), random_in(-1.5f, 1.5f), random_in(-3, 3));
+		cni_transform x = random_transform(2, 3);
+		cni_transform y = random_transform(1.5f, 3);
 		record a0, a1, b;
 		cni_geometry_polygon(&a0.g, &pa, transform_none());
 		cni_geometry_polygon(&a1.g, &pa, x);
@@ -426,7 +426,7 @@ static void t_extremes_stay_finite(void)
 		else
 			record_random(&b, type_b, size_b);
 		float reach = random_in(0.0f, 1.0f) * (size_a + size_b);
-		cni_transform x = transform_make(random_in(-reach, reach), random_in(-reach, reach), random_in(-3, 3));
+		cni_transform x = random_transform(reach, 3);
 		cni_manifold m = collide(&a.g, &b.g, type_b == CN_SHAPE_CHAIN ? random_below(7) : 0, x, MARGIN, NULL);
 		touching += m.count > 0;
 		if (m.count > 0)

@@ -182,12 +182,12 @@ static cni_path random_path(float size, float distance, float travel, float turn
 {
 	cni_path p;
 	float angle = random_in(-3.14f, 3.14f);
-	p.start = cni_v(random_in(-distance, distance), random_in(-distance, distance));
+	p.start = random_vec(distance);
 	p.end = cni_v(p.start.x + random_in(-travel, travel), p.start.y + random_in(-travel, travel));
 	p.q.c = (float)cos((double)angle);
 	p.q.s = (float)sin((double)angle);
 	p.turn = random_below(4) == 0 ? 0.0f : random_in(-turn, turn);
-	p.local_center = cni_v(random_in(-0.3f, 0.3f) * size, random_in(-0.3f, 0.3f) * size);
+	p.local_center = random_vec(0.3f * size);
 	return p;
 }
 

@@ -178,8 +178,10 @@ static void build_mattress(scene *s)
 			add_pin(s, last, slat, x - 0.5, 1.5);
 		last = slat;
 	}
-	for (k = 0; k < loads; ++k)
-		add_load(s, pick(s, -0.7, 0.7) * half, 2.2 + 1.1 * (double)k, pick(s, 0.25, 0.5), load);
+	for (k = 0; k < loads; ++k) {
+		double x = pick(s, -0.7, 0.7) * half, size = pick(s, 0.25, 0.5);
+		add_load(s, x, 2.2 + 1.1 * (double)k, size, load);
+	}
 	s->flags |= SCENE_NO_ENERGY;
 }
 

@@ -38,7 +38,7 @@ static void t_random_clouds(void)
 		cni_vec2 points[40];
 		int32_t count = 3 + random_below(12);
 		for (int32_t i = 0; i < count; ++i)
-			points[i] = random_below(2) ? cni_v(random_in(-1, 1), random_in(-1, 1)) : cni_v((float)random_below(4), (float)random_below(4));
+			points[i] = random_below(2) ? random_vec(1) : cni_v((float)random_below(4), (float)random_below(4));
 		cn_polygon h;
 		if (cni_hull_make(points, count, TOLERANCE, &h) != NULL)
 			continue;
@@ -78,7 +78,7 @@ static void t_area_of_clouds(void)
 		int32_t count = 20 + random_below(180);
 		for (int32_t i = 0; i < count; ++i) {
 			float angle = random_in(0.0f, 6.2831853f), r = (float)sqrt((double)random_in(0.0f, 1.0f));
-			points[i] = k & 1 ? cni_v(random_in(-1, 1), random_in(-1, 1)) : cni_v(r * (float)cos((double)angle), r * (float)sin((double)angle));
+			points[i] = k & 1 ? random_vec(1) : cni_v(r * (float)cos((double)angle), r * (float)sin((double)angle));
 		}
 		cn_polygon h;
 		REQUIRE(cni_hull_make(points, count, TOLERANCE, &h) == NULL);

@@ -25,15 +25,15 @@ static void scene_random(scene *s, int32_t type, float spin)
 	memset(&s->medium, 0, sizeof s->medium);
 	record_random(&s->r, type, 1.0f);
 	s->in.geometry = &s->r.g;
-	s->in.center = cni_v(random_in(-0.5f, 0.5f), random_in(-0.5f, 0.5f));
+	s->in.center = random_vec(0.5f);
 	s->in.q = transform_make(0.0f, 0.0f, random_in(-3.0f, 3.0f)).q;
-	s->in.velocity = cni_v(random_in(-3.0f, 3.0f), random_in(-3.0f, 3.0f));
+	s->in.velocity = random_vec(3.0f);
 	s->in.spin = spin;
 	s->medium.up = cni_v(0.0f, 1.0f);
 	s->medium.buoyancy = 0.0f;
 	s->medium.drag = random_in(0.5f, 2.0f);
 	s->medium.lift = random_in(0.5f, 2.0f);
-	s->medium.flow = cni_v(random_in(-3.0f, 3.0f), random_in(-3.0f, 3.0f));
+	s->medium.flow = random_vec(3.0f);
 	s->region = everywhere;
 }
 
@@ -287,7 +287,7 @@ static void t_parts_in_regions(void)
 		s.medium.drag = s.medium.lift = 0.0f;
 		s.medium.buoyancy = 1.0f;
 		record_random(&area, CN_SHAPE_POLYGON, 1.0f);
-		cni_medium_region_make(&s.region, &area.g, cni_add(area.g.centroid, cni_v(random_in(-0.3f, 0.3f), random_in(-0.3f, 0.3f))), s.in.q);
+		cni_medium_region_make(&s.region, &area.g, cni_add(area.g.centroid, random_vec(0.3f)), s.in.q);
 		f = force_of(&s);
 		grid_sum(&s, sum);
 		wet += sum[1] > 0.05;

@@ -126,7 +126,7 @@ static void make_tangle(outline *o)
 	int32_t changed = 1;
 	o->count = 4 + random_below(20);
 	for (int32_t i = 0; i < o->count; ++i)
-		o->points[i] = cni_v(random_in(-2, 2), random_in(-2, 2));
+		o->points[i] = random_vec(2);
 	while (changed) {
 		changed = 0;
 		for (int32_t i = 0; i < o->count; ++i)

@@ -31,7 +31,7 @@ static void t_polygon_is_counter_clockwise_with_outward_normals(void)
 		cn_polygon reversed = p;
 		for (int32_t i = 0; i < p.count; ++i)
 			reversed.points_m[i] = p.points_m[p.count - 1 - i];
-		cni_geometry_polygon(&r.g, k & 1 ? &reversed : &p, transform_make(random_in(-2, 2), random_in(-2, 2), random_in(-3, 3)));
+		cni_geometry_polygon(&r.g, k & 1 ? &reversed : &p, random_transform(2, 3));
 		const cni_vec2 *v = cni_geometry_points(&r.g), *n = cni_geometry_normals(&r.g);
 		for (int32_t i = 0; i < r.g.count; ++i) {
 			worst = greater(worst, fabs((double)cni_length(n[i]) - 1.0));
@@ -77,7 +77,7 @@ static void t_box_is_tight(void)
 	for (int32_t k = 0; k < 2000; ++k) {
 		record r;
 		record_random(&r, random_below(4), 1.0f);
-		cni_transform x = transform_make(random_in(-5, 5), random_in(-5, 5), random_in(-3, 3));
+		cni_transform x = random_transform(5, 3);
 		cni_aabb box = cni_geometry_aabb(&r.g, 0, x);
 		double x0 = 1e30, y0 = 1e30, x1 = -1e30, y1 = -1e30, radius = (double)r.g.radius;
 		for (int32_t i = 0; i < r.g.count; ++i) {
@@ -109,7 +109,7 @@ static void t_contains_agrees_with_distance(void)
 	for (int32_t k = 0; k < 20000; ++k) {
 		record r;
 		record_random(&r, random_below(3), 1.0f);
-		cni_vec2 p = cni_v(random_in(-1.5f, 1.5f), random_in(-1.5f, 1.5f));
+		cni_vec2 p = random_vec(1.5f);
 		const cni_vec2 *v = cni_geometry_points(&r.g);
 		double d = points_distance(v, r.g.count, &p, 1), faces = faces_separation(v, r.g.count, &p, 1);
 		double signed_distance = (r.g.type == CN_SHAPE_POLYGON && faces < 0.0 ? faces : d) - (double)r.g.radius;

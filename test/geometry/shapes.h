@@ -37,6 +37,13 @@ static inline float random_in(float low, float high)
 
 static inline int32_t random_below(int32_t count) { return (int32_t)(random_bits() >> 4) % count; }
 
+/* Arguments are evaluated in an order that each compiler chooses: numbers of one sequence are not taken in one list of them. */
+static inline cni_vec2 random_vec(float reach)
+{
+	float x = random_in(-reach, reach);
+	return cni_v(x, random_in(-reach, reach));
+}
+
 static inline cni_transform transform_make(float x, float y, float angle)
 {
 	cni_transform t;
@@ -44,6 +51,12 @@ static inline cni_transform transform_make(float x, float y, float angle)
 	t.q.c = (float)cos((double)angle);
 	t.q.s = (float)sin((double)angle);
 	return t;
+}
+
+static inline cni_transform random_transform(float reach, float turn)
+{
+	cni_vec2 at = random_vec(reach);
+	return transform_make(at.x, at.y, random_in(-turn, turn));
 }
 
 static inline cni_transform transform_mul(cni_transform a, cni_transform b)
@@ -110,7 +123,7 @@ static inline cn_polygon random_polygon(float size)
 /* A record of one of the first four types, of about this size, anywhere in its body. */
 static inline void record_random(record *r, int32_t type, float size)
 {
-	cni_transform offset = transform_make(random_in(-0.5f, 0.5f) * size, random_in(-0.5f, 0.5f) * size, random_in(-3.0f, 3.0f));
+	cni_transform offset = random_transform(0.5f * size, 3.0f);
 	float length = random_in(0.3f, 1.0f) * size;
 	cn_circle circle = { { 0.0f, 0.0f }, random_in(0.2f, 1.0f) * size };
 	cn_capsule capsule = { { -length, 0.0f }, { length, 0.0f }, random_in(0.05f, 0.5f) * size };

@@ -18,9 +18,10 @@ static cn_world *heap_world(int32_t bodies)
 	fixture_floor(world, 0.6f, 0.0f);
 	fixture_box(world, CN_BODY_STATIC, -16.0f, 20.0f, 0.0f, 1.0f, 20.0f, 0.6f, 0.0f);
 	fixture_box(world, CN_BODY_STATIC, 16.0f, 20.0f, 0.0f, 1.0f, 20.0f, 0.6f, 0.0f);
-	for (k = 0; k < bodies; ++k)
-		fixture_box(world, CN_BODY_DYNAMIC, (float)(k % 24) * 1.2f - 13.8f, (float)(k / 24) * 1.2f + 0.6f, fixture_random(&random, -1.5f, 1.5f),
-			fixture_random(&random, 0.3f, 0.5f), fixture_random(&random, 0.3f, 0.5f), 0.6f, 0.0f);
+	for (k = 0; k < bodies; ++k) {
+		float angle = fixture_random(&random, -1.5f, 1.5f), half_x = fixture_random(&random, 0.3f, 0.5f), half_y = fixture_random(&random, 0.3f, 0.5f);
+		fixture_box(world, CN_BODY_DYNAMIC, (float)(k % 24) * 1.2f - 13.8f, (float)(k / 24) * 1.2f + 0.6f, angle, half_x, half_y, 0.6f, 0.0f);
+	}
 	fixture_step(world, 300);
 	return world;
 }

@@ -118,8 +118,10 @@ static void play_change(play *p, int32_t step)
 		play_add(p, k);
 	}
 	k = step * 11 % BODIES;
-	if (step % 5 == 0)
-		must(cn_body_set_pose(p->world, p->body[k], fixture_random(&p->random, -60.0f, 60.0f), fixture_random(&p->random, 1.0f, 40.0f), 0.5f), p->world, "set_pose");
+	if (step % 5 == 0) {
+		float x = fixture_random(&p->random, -60.0f, 60.0f), y = fixture_random(&p->random, 1.0f, 40.0f);
+		must(cn_body_set_pose(p->world, p->body[k], x, y, 0.5f), p->world, "set_pose");
+	}
 	k = step * 13 % BODIES;
 	if (step % 4 == 0) {
 		must(cn_shape_get_filter(p->world, p->shape[k], &filter), p->world, "cn_shape_get_filter");

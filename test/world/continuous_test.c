@@ -74,8 +74,8 @@ static cn_body mover_make(cn_world *world, int32_t kind, float speed, float spin
 	float angle = fixture_random(random, -1.0472f, 1.0472f), ahead = speed * FRAME_S * 1.5f;
 	float gap = fixture_random(random, 0.02f, ahead > 1.0f ? ahead : 1.0f);
 	float vx = speed * (float)cos((double)angle), vy = speed * (float)sin((double)angle);
-	float spin = fixture_random(random, -spin_max, spin_max);
-	cn_body body = fixture_body(world, CN_BODY_DYNAMIC, -mover_extent(kind) - gap, fixture_random(random, -50.0f, 50.0f), fixture_random(random, -3.0f, 3.0f));
+	float spin = fixture_random(random, -spin_max, spin_max), y = fixture_random(random, -50.0f, 50.0f), turn = fixture_random(random, -3.0f, 3.0f);
+	cn_body body = fixture_body(world, CN_BODY_DYNAMIC, -mover_extent(kind) - gap, y, turn);
 	cn_shape_def def = fixture_shape_def(body, 0.6f, 0.0f);
 	cn_mass_data mass;
 	def.filter.group = -1;
@@ -162,11 +162,12 @@ static double share_through_dynamic_walls(int32_t mover, float speed, float wall
 	float before[PAIRS];
 	int32_t through[PAIRS] = { 0 }, k, step, passed = 0;
 	for (k = 0; k < PAIRS; ++k) {
+		float gap = fixture_random(random, 0.02f, 8.0f), y = fixture_random(random, -0.8f, 0.8f), turn = fixture_random(random, -3.0f, 3.0f);
 		cn_shape_def def = fixture_shape_def(walls[k] = fixture_body(world, CN_BODY_DYNAMIC, 0.0f, 0.0f, 0.0f), 0.6f, 0.0f);
 		def.density_kgpm2 = wall_density;
 		def.filter.category = def.filter.mask = (uint64_t)1 << k;
 		fixture_box_shape(world, &def, 0.005f, 20.0f);
-		movers[k] = fixture_body(world, CN_BODY_DYNAMIC, -mover_extent(mover) - fixture_random(random, 0.02f, 8.0f), fixture_random(random, -0.8f, 0.8f), fixture_random(random, -3.0f, 3.0f));
+		movers[k] = fixture_body(world, CN_BODY_DYNAMIC, -mover_extent(mover) - gap, y, turn);
 		def.body = movers[k];
 		def.density_kgpm2 = 1.0f;
 		mover_shape(world, &def, mover);
@@ -227,9 +228,11 @@ static void struck_body_does_not_pass_the_wall(void)
 				cn_shape_def def;
 				cn_circle circle = { { 0.0f, 0.0f }, 0.3f };
 				int32_t through[2] = { 0, 0 };
+				float x;
 				wall_make(world, wall);
 				light = fixture_circle(world, CN_BODY_DYNAMIC, -0.106f - fixture_random(&random, 0.0f, 0.5f), 0.0f, 0.1f, 0.6f, 0.0f);
-				heavy = fixture_body(world, CN_BODY_DYNAMIC, -1.1f - fixture_random(&random, 0.0f, 6.0f), fixture_random(&random, -0.1f, 0.1f), 0.0f);
+				x = -1.1f - fixture_random(&random, 0.0f, 6.0f);
+				heavy = fixture_body(world, CN_BODY_DYNAMIC, x, fixture_random(&random, -0.1f, 0.1f), 0.0f);
 				def = fixture_shape_def(heavy, 0.6f, 0.0f);
 				def.density_kgpm2 = 100.0f;
 				must(cn_shape_create_circle(world, &def, &circle, NULL), world, "circle");

@@ -64,9 +64,10 @@ static void crowd_make(crowd *c, int32_t shape, int32_t count, float threshold, 
 	must(cn_world_set_restitution_threshold(c->world, threshold), c->world, "cn_world_set_restitution_threshold");
 	for (k = 0; k < count; ++k) {
 		float x = 1.5f * ((float)(k % side) - 0.5f * (float)(side - 1)), y = 1.5f * ((float)(k / side) - 0.5f * (float)(side - 1));
-		body_add(c, shape < SHAPES - 1 ? shape : k % (SHAPES - 1), x, y, fixture_random(&c->random, 0.25f, 0.5f), fixture_random(&c->random, 1.0f, 2.5f), 1.0f);
-		fixture_set_velocity(c->world, c->bodies[k], -2.0f * x + fixture_random(&c->random, -3.0f, 3.0f), -2.0f * y + fixture_random(&c->random, -3.0f, 3.0f),
-		                     fixture_random(&c->random, -3.0f, 3.0f));
+		float size = fixture_random(&c->random, 0.25f, 0.5f), density = fixture_random(&c->random, 1.0f, 2.5f);
+		float vx = fixture_random(&c->random, -3.0f, 3.0f) - 2.0f * x, vy = fixture_random(&c->random, -3.0f, 3.0f) - 2.0f * y;
+		body_add(c, shape < SHAPES - 1 ? shape : k % (SHAPES - 1), x, y, size, density, 1.0f);
+		fixture_set_velocity(c->world, c->bodies[k], vx, vy, fixture_random(&c->random, -3.0f, 3.0f));
 	}
 	if (in_room)
 		room_add(c->world, 0.75f * (float)side + 1.0f);

@@ -82,12 +82,16 @@ static inline void churn_shape(churn *c, cn_body body)
 static inline void churn_body(churn *c, int32_t k)
 {
 	int32_t type = churn_int(c, 12) == 0 ? churn_int(c, 2) : CN_BODY_DYNAMIC;
-	c->bodies[k] = fixture_body(c->world, type, churn_random(c, -7.0f, 7.0f), churn_random(c, 0.5f, 9.0f), churn_random(c, -3.0f, 3.0f));
+	float x = churn_random(c, -7.0f, 7.0f), y = churn_random(c, 0.5f, 9.0f), angle = churn_random(c, -3.0f, 3.0f), vx, vy;
+	c->bodies[k] = fixture_body(c->world, type, x, y, angle);
 	churn_shape(c, c->bodies[k]);
 	if (churn_int(c, 4) == 0)
 		churn_shape(c, c->bodies[k]);
-	if (type != CN_BODY_STATIC)
-		fixture_set_velocity(c->world, c->bodies[k], churn_random(c, -3.0f, 3.0f), churn_random(c, -3.0f, 3.0f), churn_random(c, -4.0f, 4.0f));
+	if (type == CN_BODY_STATIC)
+		return;
+	vx = churn_random(c, -3.0f, 3.0f);
+	vy = churn_random(c, -3.0f, 3.0f);
+	fixture_set_velocity(c->world, c->bodies[k], vx, vy, churn_random(c, -4.0f, 4.0f));
 }
 
 /* A valley of one chain, with a box as a lid on what rolls out. */

@@ -47,9 +47,11 @@ static void crowd_make(crowd *c, int32_t solver, uint32_t seed)
 	fixture_box(c->world, CN_BODY_STATIC, 4.0f, 5.0f, 0.0f, 0.5f, 10.0f, 0.5f, 0.5f);
 	for (k = 0; k < CROWD; ++k) {
 		cn_mass_data mass;
+		float vx;
 		c->bodies[k] = fixture_body(c->world, CN_BODY_DYNAMIC, -3.0f + 1.2f * (float)(k % 6), 0.6f + 1.1f * (float)(k / 6), fixture_random(&seed, -1.0f, 1.0f));
 		crowd_shape(c, &seed, k);
-		fixture_set_velocity(c->world, c->bodies[k], fixture_random(&seed, -3.0f, 3.0f), fixture_random(&seed, -3.0f, 3.0f), 0.0f);
+		vx = fixture_random(&seed, -3.0f, 3.0f);
+		fixture_set_velocity(c->world, c->bodies[k], vx, fixture_random(&seed, -3.0f, 3.0f), 0.0f);
 		/* Angular damping: flying groups get no correction of their angular momentum, which moves momentum within the group. */
 		must(cn_body_set_damping(c->world, c->bodies[k], 0.0f, 0.01f), c->world, "damping");
 		must(cn_body_get_mass_data(c->world, c->bodies[k], &mass), c->world, "mass");

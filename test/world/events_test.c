@@ -16,6 +16,7 @@
 
 typedef struct entry {
 	int32_t created, entered, entered_now;
+	int32_t owes;           /* steps for which what it told has not been what its mask asks for */
 	cn_shape a, b;
 	int32_t child_a, child_b;
 } entry;
@@ -155,7 +156,30 @@ static int32_t mask_of_pair(const cn_world *world, const cn_contact_event *e)
 	return (int32_t)(a | b);
 }
 
-static int32_t pairs_off(churn *c, const ledger *l)
+/* A touching pair sleeps with a dynamic body of it, others with both bodies. */
+static int32_t pair_is_awake(const cn_world *world, const cn_contact_event *e)
+{
+	int32_t type[2], awake[2], side;
+	for (side = 0; side < 2; ++side) {
+		cn_body body = side == 0 ? e->body_a : e->body_b;
+		must(cn_body_get_type(world, body, &type[side]), world, "cn_body_get_type");
+		awake[side] = fixture_is_awake(world, body);
+	}
+	if (e->kind != CN_EVENT_STAY)
+		return awake[0] || awake[1];
+	return (awake[0] || type[0] != CN_BODY_DYNAMIC) && (awake[1] || type[1] != CN_BODY_DYNAMIC);
+}
+
+/* A sleeping pair may owe its beginning until the step after the one that woke it. */
+static int32_t pair_is_off(const cn_world *world, entry *p, const cn_contact_event *e)
+{
+	int32_t mask = mask_of_pair(world, e), off;
+	off = p->created != ((mask & BOX_EVENTS) == BOX_EVENTS) || p->entered != ((mask & TOUCH_EVENTS) == TOUCH_EVENTS && e->kind == CN_EVENT_STAY);
+	p->owes = off && pair_is_awake(world, e) ? p->owes + 1 : 0;
+	return p->owes > 1;
+}
+
+static int32_t pairs_off(churn *c, ledger *l)
 {
 	int32_t k, i, count, off = 0, open = 0, entered = 0;
 	static cn_contact_event e[512];
@@ -165,17 +189,12 @@ static int32_t pairs_off(churn *c, const ledger *l)
 	for (k = 0; k < body_count; ++k) {
 		must(cn_body_get_contacts(c->world, bodies[k], e, 512, &count), c->world, "cn_body_get_contacts");
 		for (i = 0; i < count && i < 512; ++i) {
-			int32_t mask, awake = fixture_is_awake(c->world, e[i].body_a) || fixture_is_awake(c->world, e[i].body_b);
-			const entry *p = &l->pairs[e[i].contact_id];
+			entry *p = &l->pairs[e[i].contact_id];
 			if (e[i].body_a != bodies[k])
 				continue;
-			mask = mask_of_pair(c->world, &e[i]);
 			open += p->created;
 			entered += p->entered;
-			if (!awake)
-				continue; /* a sleeping pair may owe its beginning until it wakes */
-			off += p->created != ((mask & BOX_EVENTS) == BOX_EVENTS);
-			off += p->entered != ((mask & TOUCH_EVENTS) == TOUCH_EVENTS && e[i].kind == CN_EVENT_STAY);
+			off += pair_is_off(c->world, p, &e[i]);
 		}
 	}
 	return off + (open != l->created) + (entered != l->entered);
@@ -184,7 +203,7 @@ static int32_t pairs_off(churn *c, const ledger *l)
 static void changing_masks_keep_pairs_bookended(void)
 {
 	uint32_t seed;
-	for (seed = 1; seed <= 3; ++seed) {
+	for (seed = 1; seed <= 20; ++seed) {
 		static churn c;
 		int32_t step, off = 0;
 		uint64_t stream = 0;

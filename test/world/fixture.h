@@ -193,6 +193,7 @@ static inline float fixture_penetration(const cn_world *world, const cn_body *bo
 }
 
 /* xorshift32 (Marsaglia, 2003): the same numbers everywhere. */
+/* Arguments are evaluated in an order that each compiler chooses: take one number in a list of them at most. */
 static inline float fixture_random(uint32_t *state, float lower, float upper)
 {
 	*state ^= *state << 13;

@@ -411,8 +411,9 @@ static void every_capacity_is_kept(void)
 	int32_t round, refused = 0, warned = 0, written = 0;
 	for (round = 0; round < 60; ++round) {
 		float most = round < 10 ? 3.0f : 120.0f;
-		cn_world_def def = fixed_def((int32_t)fixture_random(&random, 0.0f, most), (int32_t)fixture_random(&random, 0.0f, 2.0f * most),
-		                             (int32_t)fixture_random(&random, 0.0f, most), (int32_t)fixture_random(&random, 0.0f, most));
+		int32_t bodies = (int32_t)fixture_random(&random, 0.0f, most), contacts = (int32_t)fixture_random(&random, 0.0f, 2.0f * most);
+		int32_t joints = (int32_t)fixture_random(&random, 0.0f, most), events = (int32_t)fixture_random(&random, 0.0f, most);
+		cn_world_def def = fixed_def(bodies, contacts, joints, events);
 		fixed_block block;
 		cn_world *world;
 		if (round == 0)

@@ -261,10 +261,11 @@ static void cluster_run(float e, int32_t boxes, uint32_t seed)
 	double px0, py0, scale0, energy0, most = 0.0, px, py, scale;
 	int32_t k;
 	for (k = 0; k < 40; ++k) {
-		float x = fixture_random(&seed, -5.0f, 5.0f), y = (float)(k - 20) * 0.6f, r = fixture_random(&seed, 0.1f, 0.28f);
+		float x = fixture_random(&seed, -5.0f, 5.0f), y = (float)(k - 20) * 0.6f, r = fixture_random(&seed, 0.1f, 0.28f), vx;
 		bodies[k] = boxes && k % 2 ? fixture_box(world, CN_BODY_DYNAMIC, x, y, x, r, 0.7f * r, 0.5f, e)
 		                           : fixture_circle(world, CN_BODY_DYNAMIC, x, y, r, 0.5f, e);
-		fixture_set_velocity(world, bodies[k], -2.0f * x + fixture_random(&seed, -1.0f, 1.0f), -1.5f * y, fixture_random(&seed, -3.0f, 3.0f));
+		vx = fixture_random(&seed, -1.0f, 1.0f) - 2.0f * x;
+		fixture_set_velocity(world, bodies[k], vx, -1.5f * y, fixture_random(&seed, -3.0f, 3.0f));
 	}
 	energy0 = kinetic_energy(world, bodies, 40, &px0, &py0, &scale0);
 	for (k = 0; k < 600; ++k) {

@@ -280,8 +280,10 @@ static uint64_t rain(book *b)
 	fixture_floor(world, 0.6f, 0.2f);
 	for (k = 0; k < 9; ++k)
 		sensor_box(world, k % 3 == 0 ? CN_BODY_KINEMATIC : CN_BODY_STATIC, -4.0f + (float)k, 0.5f + 0.5f * (float)(k % 4), 0.7f, NULL);
-	for (k = 0; k < 60; ++k)
-		bodies[k] = fixture_circle(world, CN_BODY_DYNAMIC, fixture_random(&random, -4.0f, 4.0f), fixture_random(&random, 2.0f, 12.0f), 0.2f, 0.6f, 0.2f);
+	for (k = 0; k < 60; ++k) {
+		float x = fixture_random(&random, -4.0f, 4.0f), y = fixture_random(&random, 2.0f, 12.0f);
+		bodies[k] = fixture_circle(world, CN_BODY_DYNAMIC, x, y, 0.2f, 0.6f, 0.2f);
+	}
 	for (step = 0; step < 240; ++step) {
 		step_and_read(world, b, 1);
 		if (step % 20 == 10 && step / 20 < 6)

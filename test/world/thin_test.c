@@ -272,13 +272,14 @@ static double share_crossed(float thickness, float speed_most)
 		cn_world *world = fixture_world(0.0f, 0);
 		thin t = { THIN_BOX, 0.0f, 0.0f };
 		cn_body left, right;
-		float speed, back;
+		float speed, back, y;
 		random_seed((uint32_t)seed);
 		t.thickness = thickness;
 		t.length = random_between(0.1f, 0.3f);
 		speed = random_between(1.0f, speed_most);
 		back = random_between(0.0f, 1.0f);
-		left = thin_body(world, t, -1.0f, random_between(-0.04f, 0.04f), 1.5708f + random_between(-0.05f, 0.05f), 0.3f);
+		y = random_between(-0.04f, 0.04f);
+		left = thin_body(world, t, -1.0f, y, 1.5708f + random_between(-0.05f, 0.05f), 0.3f);
 		right = thin_body(world, t, 1.0f, 0.0f, 1.5708f + random_between(-0.05f, 0.05f), 0.3f);
 		fixture_set_velocity(world, left, speed, 0.0f, 0.0f);
 		fixture_set_velocity(world, right, -back * speed, 0.0f, 0.0f);

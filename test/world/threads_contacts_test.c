@@ -69,6 +69,7 @@ static cn_shape tub_member(cn_world *world, int32_t k, uint32_t *random)
 	cn_body body = fixture_body(world, CN_BODY_DYNAMIC, -24.5f + (float)(k % COLUMNS) + jitter, 6.0f + 0.95f * (float)(k / COLUMNS), jitter);
 	cn_shape_def def = fixture_shape_def(body, 0.4f, k % 4 == 0 ? 0.5f : 0.0f);
 	cn_circle circle = { { 0.0f, 0.0f }, 0.4f };
+	float vx, vy;
 	uint32_t flags = 0;
 	cn_shape shape = 0;
 	def.event_mask = (1u << CN_EVENT_KINDS) - 1u;
@@ -80,7 +81,9 @@ static cn_shape tub_member(cn_world *world, int32_t k, uint32_t *random)
 	must(cn_body_get_flags(world, body, &flags), world, "cn_body_get_flags");
 	flags |= (k % 40 == 9 ? (uint32_t)CN_BODY_LOCK_X : 0u) | (k % 60 == 11 ? (uint32_t)CN_BODY_LOCK_Y : 0u);
 	must(cn_body_set_flags(world, body, flags), world, "cn_body_set_flags");
-	fixture_set_velocity(world, body, fixture_random(random, -4.0f, 4.0f), fixture_random(random, -30.0f, 0.0f), fixture_random(random, -5.0f, 5.0f));
+	vx = fixture_random(random, -4.0f, 4.0f);
+	vy = fixture_random(random, -30.0f, 0.0f);
+	fixture_set_velocity(world, body, vx, vy, fixture_random(random, -5.0f, 5.0f));
 	return shape;
 }
 

@@ -427,9 +427,10 @@ static cn_world *busy_world(void)
 	for (k = 0; k < 6; ++k)
 		set_body(world, stack(world, -20.0f + 3.0f * (float)k, 2 + k, NULL), k % 3);
 	net(world, 3, joints);
-	for (k = 0; k < 30; ++k)
-		fixture_box(world, CN_BODY_DYNAMIC, fixture_random(&seed, -20.0f, 0.0f), fixture_random(&seed, 9.0f, 20.0f), fixture_random(&seed, 0.0f, 3.0f),
-		            0.3f, 0.4f, 0.5f, 0.0f);
+	for (k = 0; k < 30; ++k) {
+		float x = fixture_random(&seed, -20.0f, 0.0f), y = fixture_random(&seed, 9.0f, 20.0f), angle = fixture_random(&seed, 0.0f, 3.0f);
+		fixture_box(world, CN_BODY_DYNAMIC, x, y, angle, 0.3f, 0.4f, 0.5f, 0.0f);
+	}
 	return world;
 }
 

@@ -145,8 +145,10 @@ static void pile_make(cn_world *world)
 	uint32_t seed = 5u;
 	int32_t k;
 	fixture_floor(world, 0.6f, 0.1f);
-	for (k = 0; k < 20; ++k)
-		fixture_box(world, CN_BODY_DYNAMIC, fixture_random(&seed, -2.0f, 2.0f), 1.0f + (float)k, fixture_random(&seed, -3.0f, 3.0f), 0.5f, 0.3f, 0.6f, 0.1f);
+	for (k = 0; k < 20; ++k) {
+		float x = fixture_random(&seed, -2.0f, 2.0f), angle = fixture_random(&seed, -3.0f, 3.0f);
+		fixture_box(world, CN_BODY_DYNAMIC, x, 1.0f + (float)k, angle, 0.5f, 0.3f, 0.6f, 0.1f);
+	}
 }
 
 static void updating_is_stepping(void)
