@@ -219,7 +219,8 @@ CNI_INLINE pair pivot_apply(const matrix *m, const pair *x)
 	return z;
 }
 
-/* Right side of a pin: minus its speed, and minus its gap at this rate. */
+/* Right side of a pin: minus its speed, and minus its gap at this rate, no faster than overlaps are pushed apart: trees whose bodies
+   are caught behind others, pulled without a limit, throw them (a room of 30 bodies gained 20% of energy). */
 CNI_INLINE pair right_side(const cni_joint_block *k, int32_t l, const side *a, const side *b, float rate, float most)
 {
 	arms r = arms_load(k, l);

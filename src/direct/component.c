@@ -75,9 +75,8 @@ void cni_component_suspend(cn_world *world, cni_sparse *sparse, cni_component *c
 	cni_component_release(world, sparse, c);
 }
 
-/* Reads the joints' levers from their rows, and the speeds, at most `push`, that correct their errors at this rate. Returns the number of
-   joints. */
-static int32_t levers_read(const cn_world *world, cni_sparse *sparse, const cni_component *c, float rate, float push)
+/* Reads the joints' levers from their rows, and the speeds that correct their errors at this rate. Returns the number of joints. */
+static int32_t levers_read(const cn_world *world, cni_sparse *sparse, const cni_component *c, float rate)
 {
 	int32_t k, i, joints = 0;
 	for (k = c->begin; k < c->end; ++k) {
@@ -89,7 +88,7 @@ static int32_t levers_read(const cn_world *world, cni_sparse *sparse, const cni_
 		rows = cni_joint_constraints(world)[n->owner].rows;
 		for (i = 0; i < n->rows; ++i) {
 			cni_levers_set(&n->levers, i, cni_row_lever(&rows[i]));
-			n->closing[i] = cni_clamp(rate * rows[i].error, -push, push);
+			n->closing[i] = rate * rows[i].error;
 		}
 	}
 	return joints;
@@ -97,7 +96,7 @@ static int32_t levers_read(const cn_world *world, cni_sparse *sparse, const cni_
 
 void cni_direct_refresh(cn_world *world, cni_sparse *sparse, const cni_component *c)
 {
-	(void)levers_read(world, sparse, c, 0.0f, 0.0f);
+	(void)levers_read(world, sparse, c, 0.0f);
 	cni_sparse_factor(sparse, c, cni_motions(world));
 }
 
@@ -126,7 +125,7 @@ void cni_direct_system(cn_world *world, const cni_solve *s, cni_sparse *sparse, 
 	if (c->active)
 		cni_active_clear(sparse, c);
 	cni_geometric_stiffness_damp(world, sparse, c, s->h);
-	c->joints = levers_read(world, sparse, c, CNI_JOINT_ERROR_RATE * s->inv_h, s->push_speed);
+	c->joints = levers_read(world, sparse, c, CNI_JOINT_ERROR_RATE * s->inv_h);
 	if (c->active)
 		cni_active_levers(world, sparse, c);
 	if (c->has_contacts)
@@ -212,17 +211,20 @@ static float inverse_or_zero(float x)
 /*
  * With A = K + C, right sides b and A x = b, the velocity change M^-1 J^T x has twice the kinetic energy x K x <= x A x = x b: no solution
  * exceeds the work of its right sides. A solution that exceeds it was made by pivots that are rounding. Without motors, joints also cannot
- * exceed the impulse that stops all motion and gives every body the greatest closing speed: a solution beyond that closes gaps of
- * contradictory rows.
+ * exceed the impulse that stops all motion and gives every body the greatest closing speed, and no less than that of overlaps: a solution
+ * beyond that closes gaps of contradictory rows.
  */
 static int32_t is_bounded(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
-	const float fastest = world->settings.push_speed_max;
 	cni_four work = cni_four_all(0.0f), change = work, before = work;
-	float push = 0.0f, gain, all;
-	int32_t k;
-	for (k = c->begin; k < c->end; ++k)
-		work = cni_four_add(work, cni_four_times(cni_four_load(sparse->nodes[k].carried), cni_four_load(sparse->nodes[k].x)));
+	float fastest = world->settings.push_speed_max, push = 0.0f, gain, all;
+	int32_t k, i;
+	for (k = c->begin; k < c->end; ++k) {
+		const cni_node *n = &sparse->nodes[k];
+		work = cni_four_add(work, cni_four_times(cni_four_load(n->carried), cni_four_load(n->x)));
+		for (i = 0; i < n->rows; ++i)
+			fastest = cni_max(fastest, cni_abs(n->closing[i]));
+	}
 	for (k = c->body_begin; k < c->body_end; ++k) {
 		const cni_motion *m = cni_motions(world) + sparse->bodies[k];
 		float mass = inverse_or_zero(m->inv_mass);

@@ -223,8 +223,7 @@ static void joint_newton(const cone *q, cni_node *n)
 	int32_t i;
 	cni_four_store(speed, cni_levers_speed(&n->levers, q->pass->motions + n->ia, q->pass->motions + n->ib));
 	for (i = 0; i < CNI_NODE_ROWS; ++i)
-		n->x[i] = -speed[i] -
-		          (i < n->rows ? cni_clamp(rate * rows[i].error, -q->pass->s->push_speed, q->pass->s->push_speed) : 0.0f);
+		n->x[i] = -speed[i] - (i < n->rows ? rate * rows[i].error : 0.0f);
 }
 
 /* Changes of slack and multiplier by a whole step. */

@@ -105,7 +105,8 @@ static void joint_drift(const cn_world *world, const cni_solve *s, cni_node *n)
 	}
 }
 
-/* Fast lever arms, and rods even between slow bodies, open joints at the second order of the substep: the right sides compensate for it. */
+/* Fast lever arms, and rods even between slow bodies, open joints at the second order of the substep: the right sides compensate for it, at
+   the speed of pushing at most. Without a limit loaded drums whose ropes are put elsewhere throw them (5 of 12 at 400 m/s). */
 static void drifts_add(const cn_world *world, const cni_solve *s, const cni_component *c)
 {
 	const cni_motion *motions = cni_motions(world);

@@ -142,7 +142,7 @@ static float gap_left(const rattle_step *g, float error)
 {
 	if (cni_abs(error) <= CNI_RATTLE_OLD_GAP * g->closed)
 		return 0.0f;
-	return error - cni_clamp(CNI_RATTLE_CLOSING_RATE * error, -g->closing, g->closing);
+	return (1.0f - CNI_RATTLE_CLOSING_RATE) * error;
 }
 
 static void move(cni_motion *m, const cni_changes *c, float h, float part)
@@ -488,14 +488,13 @@ static int32_t rattle_try(rattle_step *g, const cni_solve *s, cni_component *c, 
 	float before, allowed, gained;
 	int32_t how;
 	g->h = s->dt / (float)substeps;
-	g->closing = g->h * s->push_speed;
 	impulses_reset(g, s->warm_scale * g->h / s->h);
 	cni_geometric_stiffness_begin(g->world, g->sparse, c, g->h);
 	g->warm = c->damps ? 0.0f : 0.5f;
 	cni_geometric_stiffness_damp(g->world, g->sparse, c, g->h);
 	cni_direct_refresh(g->world, g->sparse, c);
 	before = cni_rattle_energy(g); /* no work has been done at the beginning of a step */
-	g->closes_gaps = cni_rattle_closes_gaps(g);
+	g->closing = cni_rattle_closing_speed(g);
 	allowed = cni_rattle_energy_allowed(g, s->dt);
 	how = substeps_run(g, s, substeps, 0);
 	if (how != CLOSED_WELL)
@@ -514,11 +513,10 @@ static int32_t project_try(rattle_step *g, const cni_solve *s, cni_component *c,
 	float before, most;
 	int32_t how;
 	g->h = s->dt / (float)cni_max_i(CNI_RATTLE_SUBSTEPS_FIRM, s->substeps);
-	g->closing = g->h * s->push_speed;
 	impulses_reset(g, 0.0f);
 	cni_direct_refresh(g->world, g->sparse, c);
 	before = cni_rattle_energy(g);
-	g->closes_gaps = cni_rattle_closes_gaps(g);
+	g->closing = cni_rattle_closing_speed(g);
 	most = cni_sqrt(before) + cni_sqrt(cni_rattle_energy_allowed(g, s->dt)); /* in the norm of kinetic energy */
 	most *= most;
 	how = substeps_run(g, s, cni_max_i(CNI_RATTLE_SUBSTEPS_FIRM, s->substeps), 1);
@@ -574,7 +572,7 @@ static int32_t rattle_run(rattle_step *g, const cni_solve *s, cni_component *c, 
 static void component_run(cn_world *world, const cni_solve *s, cni_component *c)
 {
 	rattle_step g = { world, s->direct, c, cni_motions(world), s->h,
-		CNI_RATTLE_CLOSED * world->settings.length_unit, 0.0f, 0.5f, 0.0f, 0.0f, 0 };
+		CNI_RATTLE_CLOSED * world->settings.length_unit, 0.0f, 0.5f, 0.0f, 0.0f };
 	float rods, last_h = s->warm_scale > 0.0f ? s->h / s->warm_scale : s->h; /* substep of the records' impulses */
 	cni_joint_trust trust = trust_read(&g);
 	int32_t projects;

@@ -14,11 +14,10 @@ typedef struct rattle_step {
 	cni_motion *motions;
 	float h;
 	float closed;      /* largest negligible joint error */
-	float closing;     /* largest reduction of an old gap in a substep */
+	float closing;     /* m/s or rad/s: greatest speed at which an old gap closes at first; 0: there is none */
 	float warm;        /* 0.5, or 0: part of the last substep's impulse that is the first guess of mu */
 	float energy_error; /* h^2 m a^2 / 4 of the last substep: bound on the method's energy error */
 	float base_work;   /* work of moving bodies without mass at their joints in this step */
-	int32_t closes_gaps; /* 1: the step began with old gaps and closes them */
 } rattle_step;
 
 static inline cni_joint_constraint *constraint_of(const rattle_step *g, int32_t node)
@@ -26,8 +25,7 @@ static inline cni_joint_constraint *constraint_of(const rattle_step *g, int32_t 
 	return &cni_joint_constraints(g->world)[g->sparse->nodes[node].owner];
 }
 
-/* 1: some joint has an old gap, which closes at a limited speed. */
-int32_t cni_rattle_closes_gaps(const rattle_step *g);
+float cni_rattle_closing_speed(const rattle_step *g);
 /* 1: a joint of the component ends at a body that cannot move. */
 int32_t cni_rattle_is_fixed(const rattle_step *g);
 float cni_rattle_kinetic(const rattle_step *g);

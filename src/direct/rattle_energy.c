@@ -7,14 +7,14 @@
 #include "direct/rattle.h"
 #include "model/tuning.h"
 
-int32_t cni_rattle_closes_gaps(const rattle_step *g)
+float cni_rattle_closing_speed(const rattle_step *g)
 {
+	float most = 0.0f;
 	int32_t k, i;
 	for (k = g->c->begin; k < g->c->end; ++k)
 		for (i = 0; i < g->sparse->nodes[k].rows; ++i)
-			if (cni_abs(constraint_of(g, k)->rows[i].error) > CNI_RATTLE_OLD_GAP * g->closed)
-				return 1;
-	return 0;
+			most = cni_max(most, cni_abs(constraint_of(g, k)->rows[i].error));
+	return most > CNI_RATTLE_OLD_GAP * g->closed ? CNI_RATTLE_CLOSING_RATE * most / g->h : 0.0f;
 }
 
 static float inverse_or_zero(float x)
@@ -48,12 +48,12 @@ float cni_rattle_energy(const rattle_step *g)
 
 float cni_rattle_energy_allowed(const rattle_step *g, float dt)
 {
-	float sum = 0.0f, pull = cni_rattle_closes_gaps(g) ? g->closing / g->h : 0.0f;
+	float sum = 0.0f;
 	int32_t k;
 	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
 		const cni_motion *m = g->motions + g->sparse->bodies[k];
 		const cni_external *d = cni_externals(g->world) + g->sparse->bodies[k];
-		sum += 0.5f * inverse_or_zero(m->inv_mass) * (dt * dt * (d->ax * d->ax + d->ay * d->ay) + pull * pull) +
+		sum += 0.5f * inverse_or_zero(m->inv_mass) * (dt * dt * (d->ax * d->ax + d->ay * d->ay) + g->closing * g->closing) +
 		       0.5f * inverse_or_zero(m->inv_inertia) * dt * dt * d->alpha * d->alpha;
 	}
 	return sum;
@@ -237,7 +237,7 @@ static float rounding_of_positions(const rattle_step *g)
 void cni_rattle_account(const rattle_step *g, cni_joint_trust *t, float gained)
 {
 	float most = g->energy_error + CNI_RATTLE_ENERGY_ROUNDING * cni_rattle_kinetic(g) + rounding_of_positions(g);
-	t->surplus = cni_max(t->surplus + (g->closes_gaps ? 0.0f : gained), -most);
+	t->surplus = cni_max(t->surplus + (g->closing > 0.0f ? 0.0f : gained), -most);
 	if (!(t->surplus < FLT_MAX)) /* an account that is not finite begins anew */
 		t->surplus = 0.0f;
 	if (t->surplus > most)

@@ -20,12 +20,12 @@ typedef struct arch_scene {
 static const arch_scene arch_scenes[ARCH_SCENES] = {
 	{ "shapes", scene_shapes, 0xc476881e190c61ee },
 	{ "joints", scene_joints, 0x73c985e8d962022b },
-	{ "direct", scene_direct, 0x43ffe0390e770e31 },
-	{ "tiers", scene_tiers, 0x6dfd8f6373cd3ba5 },
+	{ "direct", scene_direct, 0x3d6072cace7324fb },
+	{ "tiers", scene_tiers, 0x97a72d7148268cca },
 	{ "sequential", scene_sequential, 0x37028daf8c29bd86 },
 	{ "queries", scene_queries, 0x87ec33d6dbf77bec },
-	{ "events", scene_events, 0x4c76a3d30aec7999 },
-	{ "file", scene_file, 0x80ca8ead18929ca6 },
+	{ "events", scene_events, 0x0ce924d6540a96ef },
+	{ "file", scene_file, 0xa155b0bce9dbcc3f },
 };
 
 /* The number of a scene; 0 if a call failed: arch_failed_line. */

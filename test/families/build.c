@@ -277,7 +277,6 @@ void add_pin_limited(scene *s, int32_t a, int32_t b, double x, double y, double 
 {
 	scene_joint joint = begin_joint(s, CN_JOINT_REVOLUTE, a, b, x, y, x, y);
 	cn_revolute_def def;
-	cn_joint handle;
 	joint.lower = lower;
 	joint.upper = upper;
 	cn_revolute_def_init(&def);
@@ -289,7 +288,7 @@ void add_pin_limited(scene *s, int32_t a, int32_t b, double x, double y, double 
 	}
 	def.motor_speed_radps = (float)s->motor_speed;
 	def.motor_torque_max_Nm = (float)s->motor_max;
-	keep_joint(s, &joint, cn_joint_create_revolute(s->world, &def, &handle));
+	keep_joint(s, &joint, cn_joint_create_revolute(s->world, &def, &joint.handle));
 }
 
 void add_pin(scene *s, int32_t a, int32_t b, double x, double y) { add_pin_limited(s, a, b, x, y, 1.0, -1.0); }
@@ -298,17 +297,15 @@ void add_weld(scene *s, int32_t a, int32_t b, double x, double y)
 {
 	scene_joint joint = begin_joint(s, CN_JOINT_FIXED, a, b, x, y, x, y);
 	cn_fixed_def def;
-	cn_joint handle;
 	cn_fixed_def_init(&def);
 	set_base(s, &def.base, &joint);
 	def.reference_angle_rad = (float)joint.reference;
-	keep_joint(s, &joint, cn_joint_create_fixed(s->world, &def, &handle));
+	keep_joint(s, &joint, cn_joint_create_fixed(s->world, &def, &joint.handle));
 }
 
 static void add_distance(scene *s, scene_joint *joint, double length, double hertz, double damping)
 {
 	cn_distance_def def;
-	cn_joint handle;
 	cn_distance_def_init(&def);
 	set_base(s, &def.base, joint);
 	def.length_m = (float)length;
@@ -323,7 +320,7 @@ static void add_distance(scene *s, scene_joint *joint, double length, double her
 	} else {
 		def.base.flags &= ~(uint32_t)CN_JOINT_LIMIT;
 	}
-	keep_joint(s, joint, cn_joint_create_distance(s->world, &def, &handle));
+	keep_joint(s, joint, cn_joint_create_distance(s->world, &def, &joint->handle));
 }
 
 void add_rod(scene *s, int32_t a, int32_t b, double ax, double ay, double bx, double by)
@@ -355,7 +352,6 @@ void add_slider(scene *s, int32_t a, int32_t b, double x, double y, double axis_
 {
 	scene_joint joint = begin_joint(s, CN_JOINT_PRISMATIC, a, b, x, y, x, y);
 	cn_prismatic_def def;
-	cn_joint handle;
 	set_axis(s, &joint, axis_x, axis_y);
 	joint.lower = lower;
 	joint.upper = upper;
@@ -370,14 +366,13 @@ void add_slider(scene *s, int32_t a, int32_t b, double x, double y, double axis_
 	}
 	def.motor_speed_mps = (float)s->motor_speed;
 	def.motor_force_max_N = (float)s->motor_max;
-	keep_joint(s, &joint, cn_joint_create_prismatic(s->world, &def, &handle));
+	keep_joint(s, &joint, cn_joint_create_prismatic(s->world, &def, &joint.handle));
 }
 
 void add_wheel(scene *s, int32_t a, int32_t b, double x, double y, double axis_x, double axis_y, double hertz, double damping, double travel)
 {
 	scene_joint joint = begin_joint(s, CN_JOINT_WHEEL, a, b, x, y, x, y);
 	cn_wheel_def def;
-	cn_joint handle;
 	set_axis(s, &joint, axis_x, axis_y);
 	joint.lower = -travel;
 	joint.upper = travel;
@@ -392,14 +387,13 @@ void add_wheel(scene *s, int32_t a, int32_t b, double x, double y, double axis_x
 	def.motor_torque_max_Nm = (float)s->motor_max;
 	def.spring_hertz = (float)hertz;
 	def.spring_damping_ratio = (float)damping;
-	keep_joint(s, &joint, cn_joint_create_wheel(s->world, &def, &handle));
+	keep_joint(s, &joint, cn_joint_create_wheel(s->world, &def, &joint.handle));
 }
 
 void add_gear(scene *s, int32_t a, int32_t b, double ratio)
 {
 	scene_joint joint = begin_joint(s, CN_JOINT_GEAR, a, b, 0.0, 0.0, 0.0, 0.0);
 	cn_gear_def def;
-	cn_joint handle;
 	joint.ratio = ratio;
 	joint.arm = s->bodies[b].reach;
 	cn_gear_def_init(&def);
@@ -407,7 +401,7 @@ void add_gear(scene *s, int32_t a, int32_t b, double ratio)
 	def.ratio = (float)ratio;
 	def.phase_rad = (float)(s->bodies[b].angle - ratio * s->bodies[a].angle);
 	joint.reference = (double)def.phase_rad;
-	keep_joint(s, &joint, cn_joint_create_gear(s->world, &def, &handle));
+	keep_joint(s, &joint, cn_joint_create_gear(s->world, &def, &joint.handle));
 }
 
 void add_pulley(scene *s, int32_t a, int32_t b, double gax, double gay, double gbx, double gby, double ratio)
@@ -415,7 +409,6 @@ void add_pulley(scene *s, int32_t a, int32_t b, double gax, double gay, double g
 	const scene_body *from = &s->bodies[a], *to = &s->bodies[b];
 	scene_joint joint = begin_joint(s, CN_JOINT_PULLEY, a, b, from->x, from->y, to->x, to->y);
 	cn_pulley_def def;
-	cn_joint handle;
 	joint.ground[0] = gax;
 	joint.ground[1] = gay;
 	joint.ground[2] = gbx;
@@ -430,5 +423,5 @@ void add_pulley(scene *s, int32_t a, int32_t b, double gax, double gay, double g
 	def.ground_b_m.y = (float)gby;
 	def.ratio = (float)ratio;
 	def.length_m = (float)joint.length;
-	keep_joint(s, &joint, cn_joint_create_pulley(s->world, &def, &handle));
+	keep_joint(s, &joint, cn_joint_create_pulley(s->world, &def, &joint.handle));
 }

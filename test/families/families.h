@@ -42,7 +42,8 @@ typedef struct scene_shape {
 } scene_shape;
 
 typedef struct scene_joint {
-	int32_t type, a, b;
+	cn_joint handle;
+	int32_t type, a, b;        /* type -1: it was cut */
 	double ax, ay, bx, by;     /* anchors, local; of the world: in the world */
 	double axis_x, axis_y;     /* in a */
 	double reference;          /* angle b - angle a */
@@ -75,6 +76,11 @@ typedef struct scene {
 	int32_t *order; /* shapes by their lower x */
 	double noise_m;
 	uint32_t noise_random;
+	/* What is done to it while it runs: meddle.c. */
+	int32_t meddle;      /* 0: nothing; else a kind */
+	int32_t held;        /* a body, or WORLD */
+	double next_act_s, act_end_s, held_angle;
+	cn_joint mouse;
 	char refusal[160];
 } scene;
 
@@ -148,6 +154,7 @@ typedef struct scene_measures {
 typedef struct run_settings {
 	int32_t solver, substeps; /* 0 substeps: the default */
 	int32_t noise;            /* 0: none; else which perturbation of 1e-5 m of all dynamic bodies */
+	int32_t meddle;           /* 0: nothing is done to the scene while it runs; -1: a kind that the seed draws; else that one */
 } run_settings;
 
 /* Reads poses and velocities back. Returns the number of bodies that are not finite. */
@@ -155,6 +162,13 @@ int32_t measure_read(scene *s);
 double measure_joints(const scene *s);
 double measure_overlap(scene *s);
 double measure_energy(const scene *s);
+
+/* ---- meddle.c ---- */
+
+/* After the scene was built. */
+void meddle_begin(scene *s, int32_t kind);
+/* Before each step. */
+cn_result meddle(scene *s, double now_s, double dt_s);
 
 /* ---- run.c ---- */
 

@@ -76,6 +76,7 @@ static double reference_speed(const settings *set, const family *which, int32_t 
 	run.solver = set->solvers[1];
 	run.substeps = REFERENCE_SUBSTEPS;
 	run.noise = repeat;
+	run.meddle = set->meddle;
 	SIDE_USE(1);
 	return run_scene(which, seed, &run).speed_max;
 }
@@ -85,6 +86,7 @@ scene_measures run_side(const settings *set, const family *which, int32_t seed, 
 	run_settings run;
 	run.solver = set->solvers[side];
 	run.substeps = set->substeps;
+	run.meddle = set->meddle;
 	run.noise = repeat + (set->noise && side == 0 ? NOISE_OTHER : 0);
 	SIDE_USE(side);
 	return run_scene(which, seed, &run);

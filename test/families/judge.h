@@ -35,6 +35,7 @@ typedef struct settings {
 	const char *family;
 	int32_t seeds, first, confirm, substeps;
 	int noise, monotone;
+	int32_t meddle;  /* run_settings.meddle */
 	int32_t solvers[2];
 	const char *names[2];
 	FILE *csv, *record;

@@ -137,10 +137,12 @@ static double percentile_99(double *values, int32_t count)
 }
 
 /* One frame. Returns 0 when the run is over before its time. */
-static int step_once(scene *s, scene_measures *m, double dt_s)
+static int step_once(scene *s, scene_measures *m, double now_s, double dt_s)
 {
+	cn_result result = meddle(s, now_s, dt_s);
 	double start = cpu_clock_s(), spent;
-	cn_result result = cn_world_step(s->world, (float)dt_s);
+	if (result == CN_OK)
+		result = cn_world_step(s->world, (float)dt_s);
 	spent = 1e3 * (cpu_clock_s() - start);
 	m->step_ms += spent;
 	m->step_max_ms = fmax(m->step_max_ms, spent);
@@ -155,7 +157,7 @@ static void step_frames(scene *s, scene_measures *m)
 {
 	int32_t frames = (int32_t)lround(s->seconds / s->dt_s), k;
 	double *errors = malloc((size_t)frames * sizeof *errors), *overlaps = malloc((size_t)frames * sizeof *overlaps);
-	double scale, start, most;
+	double scale, start, most, now_s = 0.0, dt_s;
 	uint32_t random = mixed(s->random);
 	if (errors == NULL || overlaps == NULL)
 		exit(2);
@@ -166,8 +168,10 @@ static void step_frames(scene *s, scene_measures *m)
 	m->overlap_start = measure_overlap(s);
 	for (k = 0; k < frames; ++k) {
 		random = mixed(random);
-		if (!step_once(s, m, s->vary ? s->dt_s * (0.5 + (double)random / 4294967296.0) : s->dt_s))
+		dt_s = s->vary ? s->dt_s * (0.5 + (double)random / 4294967296.0) : s->dt_s;
+		if (!step_once(s, m, now_s, dt_s))
 			break;
+		now_s += dt_s;
 		errors[k] = measure_joints(s);
 		overlaps[k] = measure_overlap(s);
 		most = fmax(most, measure_energy(s));
@@ -195,6 +199,7 @@ scene_measures run_scene(const family *which, int32_t seed, const run_settings *
 	begin_scene(&s, which, seed, settings);
 	if (s.refusal[0] == '\0')
 		which->build(&s);
+	meddle_begin(&s, settings->meddle);
 	if (s.refusal[0] == '\0')
 		step_frames(&s, &m);
 	m.flags = s.flags;

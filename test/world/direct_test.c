@@ -320,7 +320,7 @@ static void mixed_chain_holds_together(void)
 
 /* ---- gaps ---- */
 
-/* A joint made open closes no faster than `most`, and leaves no motion behind. */
+/* A joint made open closes at the speed `most` at first, and leaves no motion behind. */
 static void gap_run(const char *name, int32_t solver, int32_t on_floor, double most)
 {
 	scene s = scene_open(on_floor ? GRAVITY : 0.0, 0, solver);
@@ -354,25 +354,26 @@ static void gap_run(const char *name, int32_t solver, int32_t on_floor, double m
 	}
 	printf("  %s\n", name);
 	CHECK_LE("speed at which the gap closes", fastest, 1.02 * most, "m/s");
+	CHECK_GE("speed at which the gap closes", fastest, 0.98 * most, "m/s"); /* no slower the wider it is */
 	CHECK_LE("kinetic energy / that of all at 3 m/s", energy / (0.5 * mass * 9.0), 1e-6, "");
 	CHECK_LE("gap after 2 s", before, ROUNDING, "m");
 	CHECK_LE("way of a body in the second that follows", way, 0.5 * SOLVED, "m");
 	scene_close(&s);
 }
 
-/* As fast as overlap is pushed apart. */
-static void open_joints_close_gently(void)
+/* By 0.2 of the gap in a substep, however wide it is. */
+static void open_joints_close_in_the_air(void)
 {
-	gap_run("in the air", CN_SOLVER_AUTO, 0, 3.0);
-	gap_run("in the air, CN_SOLVER_DIRECT", CN_SOLVER_DIRECT, 0, 3.0);
+	double most = 0.2 * (1.0 - pow(0.8, 4.0)) / (double)FRAME_S;
+	gap_run("in the air", CN_SOLVER_AUTO, 0, most);
+	gap_run("in the air, CN_SOLVER_DIRECT", CN_SOLVER_DIRECT, 0, most);
 }
 
-/* What touches something closes 0.3 of the gap in a substep. */
-static void open_joints_close_steadily_on_the_ground(void)
+/* Trees that touch something are solved in a batch: as fast as overlap is pushed apart. */
+static void open_joints_close_gently_on_the_ground(void)
 {
-	double most = 0.2 * (1.0 - pow(0.7, 4.0)) / (double)FRAME_S;
-	gap_run("on the ground", CN_SOLVER_AUTO, 1, most);
-	gap_run("on the ground, CN_SOLVER_DIRECT", CN_SOLVER_DIRECT, 1, most);
+	gap_run("on the ground", CN_SOLVER_AUTO, 1, 3.0);
+	gap_run("on the ground, CN_SOLVER_DIRECT", CN_SOLVER_DIRECT, 1, 3.0);
 }
 
 /* ---- changes from outside ---- */
@@ -728,8 +729,8 @@ int main(int argc, char **argv)
 	RUN(double_pendulum_follows_its_equations);
 	RUN(thrown_chain_keeps_its_momentum);
 	RUN(mixed_chain_holds_together);
-	RUN(open_joints_close_gently);
-	RUN(open_joints_close_steadily_on_the_ground);
+	RUN(open_joints_close_in_the_air);
+	RUN(open_joints_close_gently_on_the_ground);
 	RUN(link_set_by_hand_drags_the_others);
 	RUN(chain_sleeps_and_wakes);
 	RUN(joints_come_and_go_in_mid_swing);

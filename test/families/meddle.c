@@ -1,0 +1,158 @@
+/*
+ * test/families/meddle.c - what users do to a scene while it runs. One kind a seed, from 0.35 s on, an act each half second.
+ *
+ * Acts follow the clock and not frames, and draw their numbers from the seed, so that each solver gets the same ones. Energy and
+ * displacement are not judged then.
+ */
+#include "families.h"
+
+#include <math.h>
+
+#define FIRST_S 0.35
+#define PERIOD_S 0.5  /* from act to act */
+#define HOLD_S 0.3    /* the mouse, hands and other gravity last so long */
+#define CARRIED_MPS 2.0
+
+enum {
+	MEDDLE_BLOW = 1, /* an impulse that gives 1 to 30 m/s */
+	MEDDLE_VELOCITY, /* is set */
+	MEDDLE_DRAG,     /* the mouse pulls a part up to 3 m away, with 10 to 1,000 of its weights */
+	MEDDLE_CUT,      /* a joint is destroyed */
+	MEDDLE_GRAVITY,  /* turns for a while */
+	MEDDLE_HOLD,     /* a part is static for a while */
+	MEDDLE_MASS,     /* of a part times 0.1 to 10 */
+	MEDDLE_CARRY,    /* a fixed part is moved by setting its pose in each frame */
+	MEDDLE_PUT,      /* a part is put 0.1 to 3 m away */
+	MEDDLE_PULL,     /* a part is kinematic for a while, and goes on at its speed */
+	MEDDLE_KINDS = MEDDLE_PULL
+};
+
+void meddle_begin(scene *s, int32_t kind)
+{
+	if (kind == 0)
+		return;
+	s->meddle = kind > 0 ? kind : pick_int(s, 1, MEDDLE_KINDS);
+	s->next_act_s = FIRST_S;
+	s->flags = (s->flags & ~(uint32_t)SCENE_STANDS) | SCENE_NO_ENERGY;
+}
+
+/* A body that the act may change, WORLD if there is none after some draws. */
+static int32_t pick_body(scene *s, int32_t dynamic)
+{
+	int32_t k;
+	for (k = 0; k < 50; ++k) {
+		int32_t body = pick_int(s, 0, s->body_count - 1);
+		if (s->bodies[body].dynamic == dynamic && s->bodies[body].reach < 20.0)
+			return body;
+	}
+	return WORLD;
+}
+
+static cn_result act_drag(scene *s, const scene_body *b)
+{
+	cn_mouse_def def;
+	cn_mouse_def_init(&def);
+	def.base.body_b = b->handle;
+	def.base.anchor_b_m.x = def.base.anchor_b_m.y = 0.0f;
+	def.target_m.x = (float)(b->px + pick(s, -3.0, 3.0));
+	def.target_m.y = (float)(b->py + pick(s, -1.0, 3.0));
+	def.base.force_max_N = (float)(b->mass * GRAVITY * pick_log(s, 10.0, 1000.0));
+	return cn_joint_create_mouse(s->world, &def, &s->mouse);
+}
+
+static cn_result act_cut(scene *s)
+{
+	int32_t k = s->joint_count > 0 ? pick_int(s, 0, s->joint_count - 1) : -1;
+	if (k < 0 || s->joints[k].handle == 0)
+		return CN_OK;
+	s->joints[k].type = -1; /* no error is measured */
+	k = (int32_t)cn_joint_destroy(s->world, s->joints[k].handle);
+	return (cn_result)k;
+}
+
+static cn_result act_mass(scene *s, const scene_body *b)
+{
+	cn_mass_data mass;
+	double ratio = pick_log(s, 0.1, 10.0);
+	cn_result result = cn_body_get_mass_data(s->world, b->handle, &mass);
+	if (result != CN_OK)
+		return result;
+	mass.mass_kg *= (float)ratio;
+	mass.inertia_kgm2 *= (float)ratio;
+	return cn_body_set_mass_data(s->world, b->handle, &mass);
+}
+
+/* The act of a kind with a body. What lasts is undone by act_end. */
+static cn_result act_begin(scene *s)
+{
+	double angle = pick(s, -PI, PI), speed = pick_log(s, 1.0, 30.0);
+	int32_t body = pick_body(s, s->meddle != MEDDLE_CARRY);
+	const scene_body *b = body == WORLD ? NULL : &s->bodies[body];
+	s->held = body;
+	s->held_angle = angle;
+	if (s->meddle == MEDDLE_CUT)
+		return act_cut(s);
+	if (s->meddle == MEDDLE_GRAVITY)
+		return cn_world_set_gravity(s->world, (float)(GRAVITY * sin(angle)), (float)(-GRAVITY * cos(angle)));
+	if (b == NULL)
+		return CN_OK;
+	switch (s->meddle) {
+	case MEDDLE_BLOW:
+		return cn_body_apply_impulse(s->world, b->handle, (float)(b->mass * speed * cos(angle)), (float)(b->mass * speed * sin(angle)));
+	case MEDDLE_VELOCITY:
+		return cn_body_set_velocity(s->world, b->handle, (float)(speed * cos(angle)), (float)(speed * sin(angle)), (float)(0.3 * speed));
+	case MEDDLE_DRAG:
+		return act_drag(s, b);
+	case MEDDLE_HOLD:
+		return cn_body_set_type(s->world, b->handle, CN_BODY_STATIC);
+	case MEDDLE_PULL:
+		return cn_body_set_type(s->world, b->handle, CN_BODY_KINEMATIC); /* goes on at its velocity */
+	case MEDDLE_MASS:
+		return act_mass(s, b);
+	case MEDDLE_PUT:
+		return cn_body_set_pose(s->world, b->handle, (float)(b->px + 0.1 * speed * cos(angle)), (float)(b->py + 0.1 * speed * sin(angle)), (float)b->turned);
+	default:
+		return CN_OK;
+	}
+}
+
+static cn_result act_end(scene *s)
+{
+	cn_result result = CN_OK;
+	if (s->meddle == MEDDLE_DRAG && s->mouse != 0)
+		result = cn_joint_destroy(s->world, s->mouse);
+	if (s->meddle == MEDDLE_GRAVITY)
+		result = cn_world_set_gravity(s->world, 0.0f, (float)-GRAVITY);
+	if ((s->meddle == MEDDLE_HOLD || s->meddle == MEDDLE_PULL) && s->held != WORLD)
+		result = cn_body_set_type(s->world, s->bodies[s->held].handle, CN_BODY_DYNAMIC);
+	s->mouse = 0;
+	s->held = WORLD;
+	return result;
+}
+
+/* A fixed part that its user carries by setting its pose in each frame. */
+static cn_result act_carry(scene *s, double dt_s)
+{
+	const scene_body *b = &s->bodies[s->held];
+	double way = CARRIED_MPS * dt_s;
+	return cn_body_set_pose(s->world, b->handle, (float)(b->px + way * cos(s->held_angle)), (float)(b->py + way * sin(s->held_angle)), (float)b->turned);
+}
+
+cn_result meddle(scene *s, double now_s, double dt_s)
+{
+	cn_result result = CN_OK;
+	if (s->meddle == 0)
+		return CN_OK;
+	if (s->act_end_s > 0.0 && now_s >= s->act_end_s) {
+		result = act_end(s);
+		s->act_end_s = 0.0;
+	}
+	if (result == CN_OK && now_s >= s->next_act_s) {
+		result = act_begin(s);
+		s->act_end_s = s->next_act_s + HOLD_S;
+		s->next_act_s += PERIOD_S;
+	}
+	if (result == CN_OK && s->meddle == MEDDLE_CARRY && s->act_end_s > 0.0 && s->held != WORLD)
+		result = act_carry(s, dt_s);
+	return result == CN_ERROR_STATE ? CN_OK : result; /* a joint would be left without a dynamic body: the part is not held */
+}
