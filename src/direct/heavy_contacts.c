@@ -98,12 +98,30 @@ static float turn_of(const cn_world *world, const cni_sparse *sparse, const cni_
 	return most;
 }
 
+static float mass_of(const cni_motion *m)
+{
+	return m->inv_mass > 0.0f ? 1.0f / m->inv_mass : 0.0f;
+}
+
+/* A contact that is pressed harder than this is pressed by what cannot give way, and its impulse would grow from pass to pass. */
+static float impulse_most(const cn_world *world, const cni_sparse *sparse, const cni_heavy_contact *h)
+{
+	const cni_component *c = &sparse->components[h->component];
+	changes d = changes_begin(world, h->contact);
+	float mass = mass_of(&d.a) + mass_of(&d.b);
+	int32_t k;
+	for (k = c->body_begin; k < c->body_end; ++k)
+		mass += mass_of(cni_motions(world) + sparse->bodies[k]);
+	return CNI_HEAVY_SPEED_MOST * world->settings.push_speed_max * mass;
+}
+
 static void response_find(const cn_world *world, cni_sparse *sparse, cni_heavy_contact *h)
 {
 	cni_direct_contact p;
 	int32_t row, k;
 	cni_direct_contact_read(world, cni_contact_at(world, h->contact), &p);
 	h->turn_most = FLT_MAX;
+	h->impulse_most = impulse_most(world, sparse, h);
 	for (row = 0; row < 3; ++row) {
 		changes d = changes_begin(world, h->contact);
 		float least = sparse->projection_of[d.ia] == sparse->projection_of[d.ib] ? 1.0f : INVERSE_MASS_LEAST;
@@ -272,7 +290,7 @@ static void rows_solve(const cni_solve *s, const cni_heavy_contact *h, cni_direc
 			if (p->mass[row] <= 0.0f)
 				continue;
 			if (row < 2)
-				target = normal_target(s, p, row, 1.0f / h->k[row][row], u[row], cni_direct_contact_separation(p, row, a, b), bias);
+				target = cni_min(h->impulse_most, normal_target(s, p, row, 1.0f / h->k[row][row], u[row], cni_direct_contact_separation(p, row, a, b), bias));
 			else
 				target = friction_target(p, 1.0f / h->k[2][2], u[2]);
 			for (k = 0; k < 3; ++k)

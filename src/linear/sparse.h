@@ -104,6 +104,7 @@ typedef struct cni_heavy_contact {
 	int32_t component, contact;
 	float turn_most; /* rad: farthest turn of the component's bodies in this step until k is found again */
 	float k[3][3]; /* inverse effective mass of its rows with the component's joints */
+	float impulse_most; /* N s, of a normal row */
 } cni_heavy_contact;
 
 /* The topology of a tree of nodes of two rows: components are of one class when their topologies are equal. */
