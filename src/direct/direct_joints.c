@@ -128,6 +128,27 @@ static void impulses_soften(cn_world *world, const cni_solve *s, const cni_spars
 	}
 }
 
+/* How far the two points of a pin, or the ends of a rod, are from where they belong. */
+static float gap_of(const cni_joint_constraint *w)
+{
+	switch (w->record->type) {
+	case CN_JOINT_REVOLUTE: case CN_JOINT_FIXED: return cni_length(w->start.d);
+	case CN_JOINT_DISTANCE: return w->record->flags & (CN_JOINT_SPRING | CN_JOINT_LIMIT) ? 0.0f : cni_abs(cni_length(w->start.d) - w->record->p[CNI_P_LENGTH]);
+	default: return 0.0f;
+	}
+}
+
+/* A component with a joint that was torn open, by a body that was put elsewhere or by moving parts that pull it apart: exact joints turn
+   its bodies so far while they close the gap that linear systems say nothing of it. It is soft until the gap is closed. */
+static int32_t is_torn(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	int32_t k;
+	for (k = c->begin; k < c->end && !c->has_contacts; ++k)
+		if (gap_of(cni_joint_constraints(world) + sparse->nodes[k].owner) > CNI_JOINT_TORN * world->settings.length_unit)
+			return 1;
+	return 0;
+}
+
 /* One joint to the world. */
 static int32_t is_better_alone(const cni_component *c)
 {
@@ -159,7 +180,10 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 			cni_component_prefetch(world, out, k + 1);
 		c->regular = c->has_contacts ? CNI_REGULARIZATION_CONTACTS : c->loops ? CNI_REGULARIZATION_LOOPS : 0.0f;
 		c->uses_rattle = CNI_ON(RATTLE) && !c->has_contacts && cni_component_uses_rattle(world, s, out, c);
-		if (loop_is_better_soft(world, out, c)) {
+		if (is_torn(world, out, c)) {
+			impulses_soften(world, s, out, c);
+			cni_component_release(world, out, c);
+		} else if (loop_is_better_soft(world, out, c)) {
 			impulses_soften(world, s, out, c);
 			cni_component_suspend(world, out, c, CNI_TRUST_MOST);
 		} else if (c->body_begin == c->body_end || is_better_alone(c))

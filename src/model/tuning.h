@@ -159,6 +159,9 @@ CNI_TUNING_FLOAT(CNI_DIRECT_LEAK, 1e-5f)
 
 /* ---------------------------------------------------------------- direct: joints */
 
+/* Length units. Joints that are open by more are soft, with those that are joined to them. With 0.12 ropes over pegs that were torn in an impact
+   open by 13% more, as they are soft under their loads and stay open. */
+CNI_TUNING_FLOAT(CNI_JOINT_TORN, 0.25f)
 /* Changes of the active set of joint rows in a pass. */
 CNI_TUNING_COUNT(CNI_JOINT_SET_ROUNDS, 3)
 /* Metres or radians. A limit that is nearer may be reached. */
