@@ -103,7 +103,8 @@ static float mass_of(const cni_motion *m)
 	return m->inv_mass > 0.0f ? 1.0f / m->inv_mass : 0.0f;
 }
 
-/* A contact that is pressed harder than this is pressed by what cannot give way, and its impulse would grow from pass to pass. */
+/* A contact that is pressed harder than this is pressed by what cannot give way, and its impulse would grow from pass to pass: beyond, the
+   kernel alone raises it, as if the joints were not there. */
 static float impulse_most(const cn_world *world, const cni_sparse *sparse, const cni_heavy_contact *h)
 {
 	const cni_component *c = &sparse->components[h->component];
@@ -290,7 +291,8 @@ static void rows_solve(const cni_solve *s, const cni_heavy_contact *h, cni_direc
 			if (p->mass[row] <= 0.0f)
 				continue;
 			if (row < 2)
-				target = cni_min(h->impulse_most, normal_target(s, p, row, 1.0f / h->k[row][row], u[row], cni_direct_contact_separation(p, row, a, b), bias));
+				target = cni_min(cni_max(h->impulse_most, p->j[row]),
+				                 normal_target(s, p, row, 1.0f / h->k[row][row], u[row], cni_direct_contact_separation(p, row, a, b), bias));
 			else
 				target = friction_target(p, 1.0f / h->k[2][2], u[2]);
 			for (k = 0; k < 3; ++k)
