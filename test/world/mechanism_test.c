@@ -478,6 +478,18 @@ static void chains_hold_balls_that_hit_walls(void)
 	CHECK_LE("gap in a chain whose ball hits a wall", gap, 0.05, "m");
 }
 
+static double fastest_of(const scene *s, const cn_body *bodies, int32_t count)
+{
+	double fastest = 0.0;
+	int32_t k;
+	for (k = 0; k < count; ++k) {
+		cn_velocity v;
+		must(cn_body_get_velocity(s->world, bodies[k], &v), s->world, "cn_body_get_velocity");
+		fastest = fmax(fastest, hypot((double)v.linear_mps.x, (double)v.linear_mps.y));
+	}
+	return fastest;
+}
+
 /* Seven boxes hinged on each other with limits; a part of the tower that falls becomes kinematic for 0.3 s, presses the rest into
    the ground, and lets go. Returns the greatest speed afterwards. */
 static double pressed_tower_speed(int32_t held, float lean, int32_t solver)
@@ -485,7 +497,7 @@ static double pressed_tower_speed(int32_t held, float lean, int32_t solver)
 	scene s = scene_open(GRAVITY, 0, solver);
 	cn_body boxes[7];
 	double fastest = 0.0;
-	int32_t k, i;
+	int32_t k;
 	fixture_floor(s.world, 0.6f, 0.0f);
 	for (k = 0; k < 7; ++k) {
 		float y = 0.5f * (float)k + 0.25f;
@@ -500,11 +512,7 @@ static double pressed_tower_speed(int32_t held, float lean, int32_t solver)
 	must(cn_body_set_type(s.world, boxes[held], CN_BODY_DYNAMIC), s.world, "cn_body_set_type");
 	for (k = 0; k < 120; ++k) {
 		fixture_step(s.world, 1);
-		for (i = 0; i < 7; ++i) {
-			cn_velocity v;
-			must(cn_body_get_velocity(s.world, boxes[i], &v), s.world, "cn_body_get_velocity");
-			fastest = fmax(fastest, hypot((double)v.linear_mps.x, (double)v.linear_mps.y));
-		}
+		fastest = fmax(fastest, fastest_of(&s, boxes, 7));
 	}
 	scene_close(&s);
 	return fastest;
@@ -528,7 +536,7 @@ static double torn_linkage_speed(int32_t which, float way, float direction, int3
 	scene s = scene_open(GRAVITY, 0, solver);
 	cn_body parts[3];
 	double fastest = 0.0;
-	int32_t k, i;
+	int32_t k;
 	parts[0] = beam(&s, -1.0f, 0.5f, 1.5707963f, 0.5f, 0.05f);
 	parts[1] = beam(&s, 0.0f, 1.0f, 0.0f, 1.0f, 0.05f);
 	parts[2] = beam(&s, 1.0f, 0.5f, 1.5707963f, 0.5f, 0.05f);
@@ -542,11 +550,7 @@ static double torn_linkage_speed(int32_t which, float way, float direction, int3
 		if (k % 50 == 0)
 			must(cn_body_set_pose(s.world, parts[which], pose.position_m.x + way * cosf(direction), pose.position_m.y + way * sinf(direction), direction), s.world, "cn_body_set_pose");
 		fixture_step(s.world, 1);
-		for (i = 0; i < 3; ++i) {
-			cn_velocity v;
-			must(cn_body_get_velocity(s.world, parts[i], &v), s.world, "cn_body_get_velocity");
-			fastest = fmax(fastest, hypot((double)v.linear_mps.x, (double)v.linear_mps.y));
-		}
+		fastest = fmax(fastest, fastest_of(&s, parts, 3));
 	}
 	scene_close(&s);
 	return fastest;
