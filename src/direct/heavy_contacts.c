@@ -105,24 +105,19 @@ static float mass_of(const cni_motion *m)
 
 /* A contact that is pressed harder than this is pressed by what cannot give way, and its impulse would grow from pass to pass: beyond, the
    kernel alone raises it, as if the joints were not there. */
-static float impulse_most(const cn_world *world, const cni_sparse *sparse, const cni_heavy_contact *h)
+static float impulse_most(const cn_world *world, const cni_heavy_contact *h, float component_mass)
 {
-	const cni_component *c = &sparse->components[h->component];
 	changes d = changes_begin(world, h->contact);
-	float mass = mass_of(&d.a) + mass_of(&d.b);
-	int32_t k;
-	for (k = c->body_begin; k < c->body_end; ++k)
-		mass += mass_of(cni_motions(world) + sparse->bodies[k]);
-	return CNI_HEAVY_SPEED_MOST * world->settings.push_speed_max * mass;
+	return CNI_HEAVY_SPEED_MOST * world->settings.push_speed_max * (component_mass + mass_of(&d.a) + mass_of(&d.b));
 }
 
-static void response_find(const cn_world *world, cni_sparse *sparse, cni_heavy_contact *h)
+static void response_find(const cn_world *world, cni_sparse *sparse, cni_heavy_contact *h, float component_mass)
 {
 	cni_direct_contact p;
 	int32_t row, k;
 	cni_direct_contact_read(world, cni_contact_at(world, h->contact), &p);
 	h->turn_most = FLT_MAX;
-	h->impulse_most = impulse_most(world, sparse, h);
+	h->impulse_most = impulse_most(world, h, component_mass);
 	for (row = 0; row < 3; ++row) {
 		changes d = changes_begin(world, h->contact);
 		float least = sparse->projection_of[d.ia] == sparse->projection_of[d.ib] ? 1.0f : INVERSE_MASS_LEAST;
@@ -142,13 +137,16 @@ static void response_find(const cn_world *world, cni_sparse *sparse, cni_heavy_c
 static void responses_find(cn_world *world, const cni_solve *s, cni_sparse *sparse, int32_t begin, int32_t end)
 {
 	cni_component *c = &sparse->components[sparse->heavies[begin].component];
+	float mass = 0.0f;
 	int32_t k;
 	if (c->active) {
 		cni_active_clear(sparse, c);
 		cni_sparse_factor(sparse, c, cni_motions(world));
 	}
+	for (k = c->body_begin; k < c->body_end; ++k)
+		mass += mass_of(cni_motions(world) + sparse->bodies[k]);
 	for (k = begin; k < end; ++k)
-		response_find(world, sparse, &sparse->heavies[k]);
+		response_find(world, sparse, &sparse->heavies[k], mass);
 	if (c->active)
 		cni_direct_system(world, s, sparse, c);
 }

@@ -63,11 +63,13 @@ static cn_result act_drag(scene *s, const scene_body *b)
 static cn_result act_cut(scene *s)
 {
 	int32_t k = s->joint_count > 0 ? pick_int(s, 0, s->joint_count - 1) : -1;
+	cn_joint handle;
 	if (k < 0 || s->joints[k].handle == 0)
 		return CN_OK;
 	s->joints[k].type = -1; /* no error is measured */
-	k = (int32_t)cn_joint_destroy(s->world, s->joints[k].handle);
-	return (cn_result)k;
+	handle = s->joints[k].handle;
+	s->joints[k].handle = 0;
+	return cn_joint_destroy(s->world, handle);
 }
 
 static cn_result act_mass(scene *s, const scene_body *b)
