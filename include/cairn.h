@@ -1336,7 +1336,8 @@ CN_API cn_result cn_joint_get_type(const cn_world *world, cn_joint joint, int32_
 CN_API cn_result cn_joint_get_bodies(const cn_world *world, cn_joint joint, cn_body *out_a, cn_body *out_b);
 /* Reads the world positions of both anchors, in metres. */
 CN_API cn_result cn_joint_get_anchors(const cn_world *world, cn_joint joint, cn_vec2 *out_world_a_m, cn_vec2 *out_world_b_m);
-/* Force in newtons and torque in newton metres that the joint applied to body b in the last substep. */
+/* Force in newtons and torque in newton metres that the joint applied to body b in the last substep; 0 after a change of type or of
+   CN_BODY_ENABLED of one of its bodies. */
 CN_API cn_result cn_joint_get_reaction(const cn_world *world, cn_joint joint, cn_vec2 *out_force_N, float *out_torque_Nm);
 /* Error of the joint's rigid parts, both >= 0: metres (anchors apart, lengths beyond limits) and radians (angles beyond limits). */
 CN_API cn_result cn_joint_get_error(const cn_world *world, cn_joint joint, float *out_m, float *out_rad);

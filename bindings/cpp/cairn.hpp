@@ -1441,7 +1441,8 @@ public:
 		return { Status(code, nullptr), { std::move(out_world_a_m), std::move(out_world_b_m) } };
 	}
 
-	/// Force in newtons and torque in newton metres that the joint applied to body b in the last substep.
+	/// Force in newtons and torque in newton metres that the joint applied to body b in the last substep; 0
+	/// after a change of type or of CN_BODY_ENABLED of one of its bodies.
 	Result<std::tuple<cn_vec2, float>> joint_get_reaction(Joint joint) const
 	{
 		cn_vec2 out_force_N{};

@@ -2647,7 +2647,8 @@ namespace Cairn
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_get_anchors(cn_world* world, cn_joint joint, cn_vec2* out_world_a_m, cn_vec2* out_world_b_m);
 
-		/// <summary>Force in newtons and torque in newton metres that the joint applied to body b in the last substep.</summary>
+		/// <summary>Force in newtons and torque in newton metres that the joint applied to body b in the last substep; 0
+		/// after a change of type or of CN_BODY_ENABLED of one of its bodies.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_get_reaction(cn_world* world, cn_joint joint, cn_vec2* out_force_N, float* out_torque_Nm);
 

@@ -2949,7 +2949,8 @@ namespace Cairn
 			return (*(Vec2*)&out0, *(Vec2*)&out1);
 		}
 
-		/// <summary>Force in newtons and torque in newton metres that the joint applied to body b in the last substep.</summary>
+		/// <summary>Force in newtons and torque in newton metres that the joint applied to body b in the last substep; 0
+		/// after a change of type or of CN_BODY_ENABLED of one of its bodies.</summary>
 		public (Vec2 ForceN, float TorqueNm) JointGetReaction(Joint joint)
 		{
 			cn_vec2 out0;

@@ -2913,7 +2913,7 @@ func (w *World) JointGetAnchors(joint Joint) (Vec2, Vec2, error) {
 }
 
 // JointGetReaction: Force in newtons and torque in newton metres that the joint applied to body b in the last
-// substep.
+// substep; 0 after a change of type or of CN_BODY_ENABLED of one of its bodies.
 func (w *World) JointGetReaction(joint Joint) (Vec2, float32, error) {
 	defer runtime.KeepAlive(w)
 	var out0 Vec2

@@ -1620,7 +1620,8 @@ export class World {
 	jointGetBodies(joint: Joint): { a: Body; b: Body };
 	/** Reads the world positions of both anchors, in metres. */
 	jointGetAnchors(joint: Joint): { world_a_m: Vec2; world_b_m: Vec2 };
-	/** Force in newtons and torque in newton metres that the joint applied to body b in the last substep. */
+	/** Force in newtons and torque in newton metres that the joint applied to body b in the last substep; 0
+	after a change of type or of CN_BODY_ENABLED of one of its bodies. */
 	jointGetReaction(joint: Joint): { force_N: Vec2; torque_Nm: number };
 	/** Error of the joint's rigid parts, both >= 0: metres (anchors apart, lengths beyond limits) and radians
 	(angles beyond limits). */

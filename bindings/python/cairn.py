@@ -2191,7 +2191,8 @@ cn_joint_get_anchors = _function(
 )
 cn_joint_get_reaction = _function(
     "cn_joint_get_reaction",
-    """Force in newtons and torque in newton metres that the joint applied to body b in the last substep.""",
+    """Force in newtons and torque in newton metres that the joint applied to body b in the last substep; 0 after
+    a change of type or of CN_BODY_ENABLED of one of its bodies.""",
     cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_vec2), _c.POINTER(_c.c_float),
 )
 cn_joint_get_error = _function(
@@ -4034,7 +4035,8 @@ class World:
         return _world_a_m, _world_b_m
 
     def joint_get_reaction(self, joint):
-        """Force in newtons and torque in newton metres that the joint applied to body b in the last substep."""
+        """Force in newtons and torque in newton metres that the joint applied to body b in the last substep; 0
+        after a change of type or of CN_BODY_ENABLED of one of its bodies."""
         _force_N = cn_vec2()
         _torque_Nm = _c.c_float()
         _check(cn_joint_get_reaction(self.pointer, joint, _force_N, _torque_Nm))

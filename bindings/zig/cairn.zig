@@ -2228,7 +2228,8 @@ pub extern fn cn_joint_get_type(world: *const cn_world, joint: cn_joint, out_typ
 pub extern fn cn_joint_get_bodies(world: *const cn_world, joint: cn_joint, out_a: *cn_body, out_b: *cn_body) cn_result;
 /// Reads the world positions of both anchors, in metres.
 pub extern fn cn_joint_get_anchors(world: *const cn_world, joint: cn_joint, out_world_a_m: *cn_vec2, out_world_b_m: *cn_vec2) cn_result;
-/// Force in newtons and torque in newton metres that the joint applied to body b in the last substep.
+/// Force in newtons and torque in newton metres that the joint applied to body b in the last substep; 0 after
+/// a change of type or of CN_BODY_ENABLED of one of its bodies.
 pub extern fn cn_joint_get_reaction(world: *const cn_world, joint: cn_joint, out_force_N: *cn_vec2, out_torque_Nm: *f32) cn_result;
 /// Error of the joint's rigid parts, both >= 0: metres (anchors apart, lengths beyond limits) and radians
 /// (angles beyond limits).

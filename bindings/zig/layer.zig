@@ -1304,7 +1304,8 @@ pub const World = struct {
         return .{ .world_a_m = out0, .world_b_m = out1 };
     }
 
-    /// Force in newtons and torque in newton metres that the joint applied to body b in the last substep.
+    /// Force in newtons and torque in newton metres that the joint applied to body b in the last substep; 0
+    /// after a change of type or of CN_BODY_ENABLED of one of its bodies.
     pub fn jointGetReaction(self: World, joint: Joint) Error!struct { force_N: Vec2, torque_Nm: f32 } {
         var out0: Vec2 = undefined;
         var out1: f32 = undefined;

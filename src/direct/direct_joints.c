@@ -102,10 +102,29 @@ static int32_t loop_is_better_soft(const cn_world *world, const cni_sparse *spar
 	return joints_to_fixed(world, sparse, c) > 1 || (2 * touched > bodies && touched > cni_heavy_contacts_most(sparse, c));
 }
 
+static void lane_impulses_scale(cni_contact_block *block, int32_t l, float part)
+{
+	block->p[0].jn[l] *= part;
+	block->p[1].jn[l] *= part;
+	block->jt[l] *= part;
+}
+
+/* Contacts between two of its bodies are scaled twice. */
+static void contact_impulses_scale(cn_world *world, const cni_sparse *sparse, const cni_component *c, float part)
+{
+	int32_t k, key;
+	for (k = c->body_begin; k < c->body_end; ++k)
+		for (key = cni_body_at(world, cni_awake_ids(world)[sparse->bodies[k]])->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
+			const cni_contact *contact = cni_contact_of_key(world, key);
+			if (cni_contact_has_lane(contact))
+				lane_impulses_scale(cni_block_at(world, contact->slot / CNI_LANES), contact->slot % CNI_LANES, part);
+		}
+}
+
 /*
  * A straight loop between fixed ends bears tension of any size without moving, and a singular system answers to rounding with it: rods of a
- * hung net had 1e5 times their weight. Exact joints cancel it in all bodies; soft ones would throw them. All impulses are scaled by one factor,
- * so that they still cancel.
+ * hung net had 1e5 times their weight. Joints and contacts that contradict each other grow likewise. Exact joints cancel it in all bodies; soft
+ * ones would throw them. All impulses are scaled by one factor, so that they still cancel.
  */
 static void impulses_soften(cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c)
 {
@@ -118,6 +137,9 @@ static void impulses_soften(cn_world *world, const cni_solve *s, const cni_spars
 			sum += cni_abs(w->record->impulse[i]);
 		part = cni_min(part, cni_direct_soft_part(world, sum, w->ia, w->ib, s->h));
 	}
+	if (part == 1.0f)
+		return;
+	contact_impulses_scale(world, sparse, c, part);
 	for (k = c->begin; k < c->end; ++k) {
 		cni_joint_constraint *w = cni_joint_constraints(world) + sparse->nodes[k].owner;
 		float *impulse = cni_joint_at(world, w->joint)->impulse;

@@ -50,7 +50,7 @@ static inline void cni_trust_fail(cni_joint_trust *t, uint32_t step, int32_t sof
 	cni_trust_suspend(t, step, !CNI_ON(RETRY_DELAY) ? 1 : lately ? cni_min_i(2 * t->span, CNI_TRUST_MOST) : CNI_TRUST_LEAST, soft);
 }
 /* Part of an impulse between two bodies with which the soft solver may start: it gives the lighter one at most the speed of
-   CNI_DIRECT_SOFT_STRESS of its weights. With more the soft solver crushes the body from any start, and throws it when the impulses on both
+   CNI_SOFT_STRESS of its weights. With more the soft solver crushes the body from any start, and throws it when the impulses on both
    sides of it do not cancel any more. */
 float cni_direct_soft_part(const cn_world *world, float impulse, int32_t ia, int32_t ib, float h);
 /* Solves the right sides and applies the impulses; solutions of systems with loops are checked. 0: no acceptable solution; nothing is

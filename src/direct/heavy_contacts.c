@@ -153,8 +153,8 @@ static void responses_find(cn_world *world, const cni_solve *s, cni_sparse *spar
 
 /* ---- which contacts ---- */
 
-/* 1: it bears more than a few weights, or it bears nothing and its points may meet in this step. With a static body only extreme loads count:
-   a rope that carries 2,000 links over a peg. */
+/* 1: it bears more than a few weights, or it bears nothing and its points may meet in this step. With a static body only extreme loads count,
+   as those of a rope that carries 2,000 links over a peg, and impacts: the heavy end of a lever follows when its light arm hits the ground. */
 static int32_t is_pressed(const cn_world *world, const cni_solve *s, const cni_contact *c, int32_t contact, int32_t fixed)
 {
 	float speed = (fixed ? CNI_HEAVY_STATIC_STRESS : CNI_HEAVY_CONTACT_STRESS) * cni_length(world->settings.gravity) * s->h;
@@ -164,9 +164,12 @@ static int32_t is_pressed(const cn_world *world, const cni_solve *s, const cni_c
 	int32_t k;
 	cni_direct_contact_read(world, c, &p);
 	for (k = 0; k < 2; ++k) {
+		float closing = row_speed(&p, k, a, b);
 		if (p.j[k] > speed * p.mass[k])
 			return 1;
-		if (!fixed && p.mass[k] > 0.0f && p.j[k] <= 0.0f && cni_direct_contact_separation(&p, k, a, b) + s->dt * row_speed(&p, k, a, b) < world->settings.slop)
+		if (p.mass[k] <= 0.0f || p.j[k] > 0.0f || (fixed && !(closing < s->contact[0].impact_speed)))
+			continue;
+		if (cni_direct_contact_separation(&p, k, a, b) + s->dt * closing < world->settings.slop)
 			return 1;
 	}
 	return 0;

@@ -21,6 +21,7 @@ typedef struct cni_island {
 	float rest_time;       /* scratch of the sleep stage: least sleep_time of its bodies */
 	int32_t number;        /* its number in this step, if numbered */
 	uint32_t numbered_step; /* step + 1 of its last numbering */
+	uint32_t limited_step; /* step + 1 in which model/let_go.c last limited its impulses */
 	int32_t tier;          /* CNI_TIER_; from here on state of direct/solver_selection.c */
 	int32_t good_steps;    /* directly solved steps since the last bad one */
 	int32_t stay_steps;    /* good steps required before the soft solver takes it back, 0: the minimum */
@@ -59,6 +60,8 @@ int32_t cni_island_split(cn_world *world, int32_t island);
 void cni_body_wake(cn_world *world, int32_t body);
 /* Wakes every dynamic body that touches the body or is jointed to it. */
 void cni_body_wake_neighbours(cn_world *world, int32_t body);
+/* Before a body is destroyed, disabled or changes its type: wakes its neighbours and limits the contact impulses of their islands. */
+void cni_body_let_go(cn_world *world, int32_t body);
 /* Wakes the body, or for a static one the bodies that overlap its boxes: at a new pose it may touch sleeping bodies. O(shapes). */
 void cni_body_wake_met(cn_world *world, int32_t body);
 /* Wakes the dynamic bodies that overlap a shape's boxes. */

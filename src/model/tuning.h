@@ -211,7 +211,7 @@ CNI_TUNING_FLOAT(CNI_DIRECT_ENERGY_ROUNDING, 1e-3f)
 CNI_TUNING_FLOAT(CNI_DIRECT_STILL_SPEED, 0.4f)
 /* Own weights of the lighter body, up to which warm start impulses of the soft solver are used. With 100, joints of a bridge under loads of
    50 planks stretched by 0.36 m, with 300 by 0.26 m as with all of its tension. */
-CNI_TUNING_FLOAT(CNI_DIRECT_SOFT_STRESS, 300.0f)
+CNI_TUNING_FLOAT(CNI_SOFT_STRESS, 300.0f)
 /* Rounds of the active set of contacts, until friction cones are solved, which take about twice as many factorizations. */
 CNI_TUNING_COUNT(CNI_CONTACT_SET_ROUNDS, 10)
 /* Rounds for systems that are too large for friction cones. */

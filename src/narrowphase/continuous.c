@@ -5,13 +5,14 @@
  * others press deep into static ones (deep_bodies.c). Before such a body
  * moves, or any by more than a quarter of its inner radius, the core of each of its shapes (the shape shrunk by half its inner radius)
  * is swept along the body's path against the static shapes there (for bullets: against all shapes, each on its own path). At the
- * time of impact the body gives up the rest of its path for this step; so does a dynamic body that a bullet hits.
+ * time of impact the body gives up the rest of its path for this step; so does a dynamic body that a bullet hits. At a static shape it gives
+ * up only what leads into the shape, and slides along: a link of a rope that stopped as a whole would be held there while the rope moves on.
  * Bodies without static shapes near them, which the narrowphase marked, are skipped. Bodies whose path stays inside their fat
  * boxes can hit only shapes they have contacts with.
  * A shape that rests on or slides along another keeps its core clear of it, so it does not catch. If a shape was pressed in so
  * deep that its core overlaps the other, a smaller core stops it: an edge has no interior, so contacts would let the shape
  * through. A body whose core already is at a static shape, where an earlier step stopped it, loses the approach speed of that
- * point, and slides and turns: otherwise a contact that expects the turn may apply no impulse, and the body would hang there
+ * point, too: otherwise a contact that expects the turn may apply no impulse, and the body would hang there
  * while its speed grows.
  *
  * The workers share the bodies. The path of a body that is no bullet depends on no other body; bullets follow serially, in order.
@@ -108,7 +109,7 @@ typedef struct clamp {
 	cni_aabb reach;      /* bounds the swept core and the stopping distance around it; relative to the body's centre */
 	float fraction;      /* free part of the path so far */
 	int32_t blocking_body; /* awake index of the dynamic body that ends the path, else 0 */
-	cni_vec2 normal;     /* where fraction is 0: normal of the blocking shape */
+	cni_vec2 normal;     /* there: normal of the blocking shape, 0 if it is not known */
 	cni_vec2 arm;        /* ... lever arm from the body's centre to the point of contact */
 	core_shape touching_core; /* ... the core that touches it */
 } clamp;
@@ -233,9 +234,8 @@ static int32_t core_clamp(clamp *c, const core_shape *core, cni_toi_input *in, c
 	c->stopped_by = c->other_proxy;
 	c->blocking_body = other->type == CN_BODY_DYNAMIC ? other->awake : 0;
 	c->normal = hit.state == CNI_TOI_HIT ? hit.normal : cni_v(0.0f, 0.0f);
-	c->arm = hit.state == CNI_TOI_HIT ? cni_sub(hit.point, in->path_b.start) : cni_v(0.0f, 0.0f);
-	if (c->fraction == 0.0f)
-		c->touching_core = *core;
+	c->arm = hit.state != CNI_TOI_HIT ? cni_v(0.0f, 0.0f) : cni_sub(hit.point, cni_lerp(in->path_b.start, in->path_b.end, hit.fraction));
+	c->touching_core = *core;
 	return 1;
 }
 
@@ -336,25 +336,26 @@ static void clamp_find(clamp *c, cn_world *world, int32_t body, int32_t targets)
 }
 
 /*
- * Cancels the approach speed at the point of contact by an impulse there: the body slides, and turns about the point. The
- * position change is projected likewise, then moved outwards by the penetration that the path's curvature causes plus a bound of
- * the rounding error.
+ * Cancels what of the path leads into the shape from the point of contact on, as an impulse there would: the body slides, and turns about the
+ * point. A body that is there at once loses its approach speed likewise. The path is then moved outwards by the penetration that its curvature
+ * causes plus a bound of the rounding error.
  */
 static void motion_slide(cni_motion *m, const clamp *c)
 {
-	cni_vec2 n = c->normal;
-	cni_path path;
+	cni_vec2 n = c->normal, from = cni_v(c->body->cx, c->body->cy);
+	cni_path path = body_path(c->body, from, c->fraction * m->dpx, c->fraction * m->dpy, c->fraction * m->theta);
+	float advance = path_advance_along(&c->touching_core.geometry, 0, &path, n);
 	float arm = cni_cross(c->arm, n), mass = cni_max(m->inv_mass + m->inv_inertia * arm * arm, FLT_MIN);
-	float speed = cni_max(-(m->vx * n.x + m->vy * n.y + m->w * arm), 0.0f) / mass;
-	float shift = cni_max(-(m->dpx * n.x + m->dpy * n.y + m->theta * arm), 0.0f) / mass, out;
+	float speed = c->fraction > 0.0f ? 0.0f : cni_max(-(m->vx * n.x + m->vy * n.y + m->w * arm), 0.0f) / mass;
+	float shift = (1.0f - c->fraction) * cni_max(-(m->dpx * n.x + m->dpy * n.y + m->theta * arm), 0.0f) / mass, out;
 	m->vx += speed * m->inv_mass * n.x;
 	m->vy += speed * m->inv_mass * n.y;
 	m->w += speed * m->inv_inertia * arm;
 	m->dpx += shift * m->inv_mass * n.x;
 	m->dpy += shift * m->inv_mass * n.y;
 	m->theta += shift * m->inv_inertia * arm;
-	path = body_path(c->body, cni_v(c->body->cx, c->body->cy), m->dpx, m->dpy, m->theta);
-	out = cni_max(-path_advance_along(&c->touching_core.geometry, 0, &path, n), 0.0f);
+	path = body_path(c->body, from, m->dpx, m->dpy, m->theta);
+	out = cni_max(advance - path_advance_along(&c->touching_core.geometry, 0, &path, n), 0.0f);
 	out += 4.0f * FLT_EPSILON * (cni_abs(m->dpx) + cni_abs(m->dpy) + cni_abs(m->theta) * c->body->extent);
 	m->dpx += out * n.x;
 	m->dpy += out * n.y;
@@ -362,11 +363,11 @@ static void motion_slide(cni_motion *m, const clamp *c)
 
 static int32_t may_slide(const clamp *c)
 {
-	return c->fraction == 0.0f && c->blocking_body == 0 && cni_length_sq(c->normal) > 0.0f &&
+	return c->fraction < 1.0f && c->blocking_body == 0 && cni_length_sq(c->normal) > 0.0f &&
 	       !(c->body->flags & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y));
 }
 
-/* A body that a static shape stops at once (fraction 0) slides, at most once. In a corner, or with a locked axis, it stays. */
+/* A body that a static shape stops slides, at most once. In a corner, or with a locked axis, it stays. */
 static void clamp_slide_or_end(clamp *c)
 {
 	cni_motion *m = cni_motions(c->world) + c->body->awake;

@@ -209,7 +209,7 @@ static void destroy_shapes(cn_world *world, const cni_body *b)
 static void body_destroy(cn_world *world, int32_t body)
 {
 	cni_body *b = cni_body_at(world, body);
-	cni_body_wake_neighbours(world, body);
+	cni_body_let_go(world, body);
 	cni_body_wake(world, body);
 	destroy_joints(world, b);
 	destroy_shapes(world, b);

@@ -7,6 +7,8 @@
  */
 #include "world/define.h"
 
+#include <string.h>
+
 #define FLAGS_SETTABLE (CN_BODY_LOCK_X | CN_BODY_LOCK_Y | CN_BODY_LOCK_ROTATION | CN_BODY_BULLET | CN_BODY_ENABLED | CN_BODY_SLEEP)
 #define FLAGS_LOCKS (CN_BODY_LOCK_X | CN_BODY_LOCK_Y | CN_BODY_LOCK_ROTATION)
 
@@ -33,11 +35,13 @@ static int32_t joints_unlink(cn_world *world, const cni_body *b)
 	return chain;
 }
 
+/* They begin without impulses: those that held a kinematic body would throw it when it becomes dynamic. */
 static void joints_link(cn_world *world, int32_t chain)
 {
 	while (chain != CNI_NONE) {
 		int32_t joint = chain;
 		chain = cni_joint_at(world, joint)->next[0];
+		memset(cni_joint_at(world, joint)->impulse, 0, sizeof cni_joint_at(world, joint)->impulse);
 		cni_joint_link(world, joint);
 	}
 }
@@ -89,7 +93,7 @@ cn_result cn_body_set_type(cn_world *world, cn_body body, int32_t type)
 		cni_check_reserved(&call, cni_body_reserve(world, 1), "movable bodies");
 	if (call.result != CN_OK)
 		return call.result;
-	cni_body_wake_neighbours(world, index);
+	cni_body_let_go(world, index);
 	cni_body_wake(world, index);
 	chain = joints_unlink(world, b);
 	leave_simulation(world, index);
@@ -129,7 +133,7 @@ static void set_enabled(cn_world *world, int32_t body, int32_t enabled)
 {
 	cni_body *b = cni_body_at(world, body);
 	int32_t chain;
-	cni_body_wake_neighbours(world, body);
+	cni_body_let_go(world, body);
 	cni_body_wake(world, body);
 	chain = joints_unlink(world, b);
 	if (enabled) {

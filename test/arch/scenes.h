@@ -18,14 +18,14 @@ typedef struct arch_scene {
 
 #define ARCH_SCENES 8
 static const arch_scene arch_scenes[ARCH_SCENES] = {
-	{ "shapes", scene_shapes, 0xc476881e190c61ee },
+	{ "shapes", scene_shapes, 0x4d0ba6b5df49bcaa },
 	{ "joints", scene_joints, 0x73c985e8d962022b },
-	{ "direct", scene_direct, 0x3d6072cace7324fb },
-	{ "tiers", scene_tiers, 0x97a72d7148268cca },
-	{ "sequential", scene_sequential, 0x37028daf8c29bd86 },
+	{ "direct", scene_direct, 0xa28cb4814e3fff7a },
+	{ "tiers", scene_tiers, 0xd54a58528745e66e },
+	{ "sequential", scene_sequential, 0x6bc77927e99d3264 },
 	{ "queries", scene_queries, 0x87ec33d6dbf77bec },
-	{ "events", scene_events, 0x0ce924d6540a96ef },
-	{ "file", scene_file, 0xa155b0bce9dbcc3f },
+	{ "events", scene_events, 0x39ae8dc2e6504f88 },
+	{ "file", scene_file, 0x312cf84c45b715e0 },
 };
 
 /* The number of a scene; 0 if a call failed: arch_failed_line. */

@@ -102,8 +102,9 @@ static void ropes_over_a_peg_gain_no_energy(void)
 			gaps += gap / 24.0;
 		}
 	CHECK_LE("greatest rise of energy, 24 ropes", rise, 0.02, "");
-	/* 0.14 m where contacts of pressed links with the peg do not know the joints: CNI_HEAVY_STATIC_STRESS. */
-	CHECK_LE("gap of the widest joint, mean of 24 ropes", gaps, 0.03, "m");
+	/* 0.14 m where contacts of pressed links with the peg do not know the joints: CNI_HEAVY_STATIC_STRESS. 0.012 m where links that continuous
+	   collision stops give up the rest of their paths instead of sliding on. */
+	CHECK_LE("gap of the widest joint, mean of 24 ropes", gaps, 0.008, "m");
 }
 
 /* ---- a sling ---- */

@@ -435,6 +435,20 @@ static void hanging_weight_pulls_with_its_weight(void)
 	}
 }
 
+/* The reaction of a joint to a kinematic body says nothing of a dynamic one, whose joint would begin with it. */
+static void joints_begin_anew_when_a_type_changes(void)
+{
+	cn_world *world = fixture_world(-10.0f, 0);
+	cn_body holder = fixture_body(world, CN_BODY_KINEMATIC, 0.0f, 0.0f, 0.0f);
+	cn_body weight = fixture_box(world, CN_BODY_DYNAMIC, 0.0f, -1.0f, 0.0f, 0.3f, 0.2f, 0.6f, 0.0f);
+	cn_joint joint = hinge(world, holder, at(0.0f, 0.0f), weight, at(0.0f, 1.0f));
+	fixture_step(world, 60);
+	CHECK_GE("reaction of a kinematic body", (double)joint_force(world, joint).y, 1.0, "N");
+	must(cn_body_set_type(world, holder, CN_BODY_DYNAMIC), world, "cn_body_set_type");
+	CHECK_LE("... that became dynamic", fabs((double)joint_force(world, joint).y), 0.0, "N");
+	cn_world_destroy(world);
+}
+
 int main(int argc, char **argv)
 {
 	test_begin(argc, argv);
@@ -452,5 +466,6 @@ int main(int argc, char **argv)
 	RUN(world_static_and_kinematic_sides);
 	RUN(kinematic_body_carries);
 	RUN(hanging_weight_pulls_with_its_weight);
+	RUN(joints_begin_anew_when_a_type_changes);
 	return test_end();
 }

@@ -1238,7 +1238,8 @@ impl World {
         Ok((out_world_a_m, out_world_b_m))
     }
 
-    /// Force in newtons and torque in newton metres that the joint applied to body b in the last substep.
+    /// Force in newtons and torque in newton metres that the joint applied to body b in the last substep; 0
+    /// after a change of type or of CN_BODY_ENABLED of one of its bodies.
     pub fn joint_get_reaction(&self, joint: Joint) -> Result<(Vec2, f32)> {
         let mut out_force_N = Vec2::default();
         let mut out_torque_Nm = f32::default();
