@@ -27,7 +27,6 @@
 	X(RETRY_DELAY)        /* delayed retry after a failed direct solution */ \
 	X(GRAVITY_PRELOAD)    /* gravity preload of new piles, top-down */ \
 	X(COMPLIANCE_OFFSETS) /* soft contacts yield around a compliance offset */ \
-	X(VELOCITY_JUMPS)     /* joints drop the warm start impulses of impacts */ \
 	X(ANGULAR_MOMENTUM)   /* angular momentum correction of free islands */ \
 	X(IMPACTS)            /* restitution; without it nothing bounces */ \
 	X(FRESH_ROUNDS)       /* new contacts iterate between normals and friction */ \

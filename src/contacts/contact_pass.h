@@ -50,7 +50,7 @@ typedef struct cni_impact_pass {
 	const cni_external *externals;
 	float h;
 	float speed;       /* > 0: slower approaches do not bounce */
-	float jumped;      /* start.jumped of bodies that are hit: grows from sweep to sweep, less than CNI_JUMPED */
+	float jumped;      /* start.jumped of bodies that are hit: grows from sweep to sweep */
 	int32_t one_sided; /* lane bodies b are not written */
 	struct cni_impact_record *record; /* NULL: not wanted */
 } cni_impact_pass;

@@ -145,19 +145,6 @@ void cni_rows_invert(const cni_row *r, int32_t count, const cni_motion *a, const
 void cni_joint_constraint_rows(cni_joint_constraint *w, const cni_motion *motions, const cni_rot *turns);
 /* Predicts the errors of the rigid rows after a time h at the bodies' present velocities. */
 void cni_joint_constraint_ahead(const cni_joint_constraint *w, const cni_motion *motions, float h, float *errors);
-/* All rows of a joint with their impulses in this substep, for every solver path; springy joints' rows are soft. row.slot: index of the
-   record's impulse, which is that of the step's beginning. joints/joint_impulse.c */
-typedef struct cni_joint_impulses {
-	cni_row rows[CNI_JOINT_ROWS]; /* a lane has five */
-	int32_t count;
-} cni_joint_impulses;
-void cni_joint_impulses_read(const cn_world *world, const cni_joint_constraint *w, cni_joint_impulses *out);
-void cni_joint_impulses_write(cn_world *world, cni_joint_constraint *w, const cni_joint_impulses *impulses);
-/* 1: a row of this kind may add energy. */
-static inline int32_t cni_row_kind_drives(uint8_t kind)
-{
-	return kind != CNI_ROW_RIGID && kind != CNI_ROW_LIMIT;
-}
 /* Records the largest reaction of the step. */
 void cni_joint_constraint_stress(cni_joint_constraint *w, const cni_motion *b, float inv_h);
 

@@ -103,9 +103,8 @@ static inline int32_t cni_motion_can_move(const cni_motion *m) { return m->inv_m
 
 typedef struct cni_velocity_start {
 	float vx, vy, w;
-	float jumped; /* 1 or more: an impact changed the velocity in this substep, in later sweeps more; CNI_JUMPED or more: it jumped */
+	float jumped; /* 1 or more: an impact changed the velocity in this substep, in later sweeps more */
 } cni_velocity_start;
-#define CNI_JUMPED 2.0f
 
 enum {
 	CNI_EXTERNAL_FREE = 1u << 0,    /* no contacts, no joints: integrated once, exactly, for the whole step */

@@ -77,7 +77,6 @@ typedef struct cni_solve {
 	float push_speed;
 	float pushed_most;        /* metres: a body that corrections of errors move farther in a step does not rest, although its velocity is 0 */
 	float restitution_threshold;
-	float jump_speed;         /* a larger change of a body's velocity in one substep counts as a jump */
 	cni_contact_pass contact[CNI_CONTACTS_KINDS];
 	cni_soft joint;
 	float restless_speed;     /* joints are relaxed again while that changes a velocity by more */

@@ -6,8 +6,7 @@
  * A row has three components and one float that stays unchanged: the inverse mass beside a velocity, the inverse inertia beside
  * a change of pose, flags beside an external acceleration.
  *
- * The kernel also has the searches over dense arrays for velocity jumps (velocity_jumps.c) and for displacements beyond the
- * limit (integrate.c), and finalize.c's update of poses.
+ * The kernel also has the search over dense arrays for displacements beyond the limit (integrate.c), and finalize.c's update of poses.
  */
 #include "base/wide.h"
 #include "step/integrate_pass.h"
@@ -255,36 +254,6 @@ CNI_INLINE void last_columns(const cni_wide r[4], cni_wide *third, cni_wide *las
 #endif
 }
 
-/* Those of CNI_WIDTH bodies with a velocity change beyond the limit. */
-CNI_INLINE cni_mask rows_jumped(const cni_motion *m, const cni_velocity_start *s, float most_sq)
-{
-	cni_wide jumps[4], x, y;
-	int32_t r;
-	for (r = 0; r < 4; ++r)
-		jumps[r] = rows_load(&m[r * ROWS].vx, sizeof *m) - cni_wide_load_loose(&s[r * ROWS].vx);
-	columns(jumps, &x, &y);
-	return ~(x * x + y * y <= cni_wide_of(most_sq));
-}
-
-CNI_INLINE cni_mask rows_touched(const cni_external *d)
-{
-	const cni_wide externals[4] = { cni_wide_load_loose(&d[0].ax), cni_wide_load_loose(&d[ROWS].ax), cni_wide_load_loose(&d[2 * ROWS].ax), cni_wide_load_loose(&d[3 * ROWS].ax) };
-	cni_wide alpha, flags;
-	last_columns(externals, &alpha, &flags);
-	return ((cni_mask)flags & ((int32_t)CNI_EXTERNAL_TOUCHED - (cni_mask){ 0 })) != (cni_mask){ 0 };
-}
-
-static int32_t kernel_calm(const cni_body_pass *pass, int32_t begin, int32_t end, float most_sq)
-{
-	int32_t k;
-	for (k = begin; k + CNI_WIDTH <= end; k += CNI_WIDTH) {
-		cni_mask jumped = rows_jumped(pass->motions + k, pass->starts + k, most_sq);
-		if (cni_mask_bits(jumped) != 0 && cni_mask_bits(jumped & rows_touched(pass->externals + k)) != 0)
-			break;
-	}
-	return k;
-}
-
 static int32_t kernel_near(const cni_body_pass *pass, int32_t begin, int32_t end, float move_sq, float turn)
 {
 	int32_t k;
@@ -303,4 +272,4 @@ static int32_t kernel_near(const cni_body_pass *pass, int32_t begin, int32_t end
 
 #include "step/finalize_kernel.h"
 
-const cni_body_kernel CNI_KERNEL = { kernel_velocities, kernel_positions, kernel_finish, kernel_calm, kernel_near, kernel_poses };
+const cni_body_kernel CNI_KERNEL = { kernel_velocities, kernel_positions, kernel_finish, kernel_near, kernel_poses };

@@ -1,6 +1,5 @@
 /*
- * step/integrate_pass.h - interface of the body kernels: the loops over awake bodies of integrate.c, velocity_jumps.c and
- * finalize.c; and the sum of speed gains that decides whether a body rests.
+ * step/integrate_pass.h - interface of the body kernels: the loops over awake bodies of integrate.c and finalize.c; and the sum of speed gains that decides whether a body rests.
  */
 #ifndef CNI_STEP_INTEGRATE_PASS_H
 #define CNI_STEP_INTEGRATE_PASS_H
@@ -20,12 +19,10 @@ typedef struct cni_body_pass {
 /* Processes bodies begin to end - 1 in whole vectors, and returns the first that it did not process, or end. */
 typedef int32_t cni_body_kernel_fn(const cni_body_pass *pass, int32_t begin, int32_t end);
 
-/* Skips vectors of bodies while no touched body's velocity differs from its start by more than the limit (squared). Returns the first
-   body of the vector in which one does, or of the rest. */
-typedef int32_t cni_body_calm_fn(const cni_body_pass *pass, int32_t begin, int32_t end, float most_sq);
 #define CNI_CALM_MOST 8 /* floats in a kernel's vectors, at most */
 
-/* Likewise, while no body moves farther (squared) or turns more in the step than the limits. NaN exceeds them. */
+/* Skips vectors of bodies while no body moves farther (squared) or turns more in the step than the limits. NaN exceeds them. Returns the first
+   body of the vector in which one does, or of the rest. */
 typedef int32_t cni_body_near_fn(const cni_body_pass *pass, int32_t begin, int32_t end, float way_sq, float turn);
 
 /* Bodies begin, begin + 1, ... as bits, in this order. */
@@ -41,7 +38,6 @@ typedef cni_poses_taken cni_body_poses_fn(cn_world *world, const cni_solve *s, i
 
 typedef struct cni_body_kernel {
 	cni_body_kernel_fn *velocities, *positions, *finish;
-	cni_body_calm_fn *calm;
 	cni_body_near_fn *near;
 	cni_body_poses_fn *poses;
 } cni_body_kernel;

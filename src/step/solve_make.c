@@ -90,7 +90,6 @@ static cni_solve make(const cn_world *world, float dt, int32_t substeps)
 	s.warm_scale = warm_scale(world, dt);
 	s.push_speed = set->push_speed_max;
 	s.restitution_threshold = set->restitution_threshold;
-	s.jump_speed = set->length_unit;
 	for (kind = 0; kind < CNI_CONTACTS_KINDS; ++kind)
 		s.contact[kind] = contact_pass_make(world, &s, kind);
 	s.restless_speed = CNI_JOINT_RESTLESS * set->length_unit;

@@ -19,10 +19,6 @@ void cni_areas_accelerate(cn_world *world, float dt);
 void cni_integrate_velocities(cn_world *world, const cni_solve *s, int32_t substep);
 void cni_integrate_positions(cn_world *world, const cni_solve *s);
 void cni_integrate_finish(cn_world *world, const cni_solve *s);
-/* Resets joints of bodies with a velocity jump in this substep to their loads: step/velocity_jumps.c. */
-void cni_velocity_jumps_reset(cn_world *world, const cni_solve *s);
-/* Marks bodies with a velocity jump, and returns their number. */
-uint32_t cni_velocity_jumps_mark(cn_world *world, const cni_solve *s);
 /* After the first substep: bodies at rest are finished for this step: step/early_rest.c. */
 void cni_rest_find(cn_world *world, const cni_solve *s);
 /* After the substeps: restores the angular momentum of isolated groups of bodies: step/angular_momentum.c. */

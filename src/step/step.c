@@ -126,8 +126,6 @@ static void substeps_lead(void *context)
 		joints_relax(world, s);
 		cni_contacts_relax(world, s);
 		impulses_sum(world, s);
-		if (has_joints(world) && CNI_ON(VELOCITY_JUMPS))
-			cni_velocity_jumps_reset(world, s);
 		if (k == 0 && CNI_ON(EARLY_REST))
 			cni_rest_find(world, s);
 	}

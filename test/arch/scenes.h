@@ -19,13 +19,13 @@ typedef struct arch_scene {
 #define ARCH_SCENES 8
 static const arch_scene arch_scenes[ARCH_SCENES] = {
 	{ "shapes", scene_shapes, 0x4d0ba6b5df49bcaa },
-	{ "joints", scene_joints, 0x73c985e8d962022b },
-	{ "direct", scene_direct, 0xa28cb4814e3fff7a },
-	{ "tiers", scene_tiers, 0xd54a58528745e66e },
+	{ "joints", scene_joints, 0x0d41f653e4973532 },
+	{ "direct", scene_direct, 0x60b4e8ef3d304e20 },
+	{ "tiers", scene_tiers, 0x1877c345c23a6e19 },
 	{ "sequential", scene_sequential, 0x6bc77927e99d3264 },
 	{ "queries", scene_queries, 0x87ec33d6dbf77bec },
-	{ "events", scene_events, 0x39ae8dc2e6504f88 },
-	{ "file", scene_file, 0x312cf84c45b715e0 },
+	{ "events", scene_events, 0x6e70a387c2c2fba8 },
+	{ "file", scene_file, 0x8f16ccc05b0d3ded },
 };
 
 /* The number of a scene; 0 if a call failed: arch_failed_line. */

@@ -24,13 +24,13 @@ typedef struct golden {
 
 /* clang-format off */
 static const golden goldens[] = {
-	{ "falling_hinges", 480, 1, 0x31d7847aff887ef5 },
+	{ "falling_hinges", 480, 1, 0x2b3ecb7293cbfacf },
 	{ "small_200", 300, 1, 0x7b52fe6a8a59a278 },
 	{ "small_50_sleep", 600, 1, 0x60448e150b7686e9 },
 	{ "dominoes", 400, 1, 0x2fd6a50dd1e539aa },
-	{ "ragdolls", 480, 1, 0xaa9021009d10fa84 },
-	{ "bridge", 240, 1, 0x41cfb9b1a5f91d8a },
-	{ "car", 400, 1, 0x44b2fb1273f800a2 },
+	{ "ragdolls", 480, 1, 0xd9e76cda6e3442ee },
+	{ "bridge", 240, 1, 0x56e14dcc8bbecc31 },
+	{ "car", 400, 1, 0x93cdc23b5551ca65 },
 	{ "mixer", 240, 1, 0xc42c77718b74e1bd },
 	{ "pyramid", 120, 0, 0xbb24e8518c196cd8 },
 	{ "rain", 150, 0, 0xbd48b22521a1db77 },

@@ -1,7 +1,7 @@
 /*
  * test/world/flight_test.c - nothing that flies is changed by what happens on the ground.
  *
- * If a test here fails, look in whatever changes the velocities of an island as a whole: src/step/velocity_jumps.c, direct_contacts.c,
+ * If a test here fails, look in whatever changes the velocities of an island as a whole: src/direct/direct_contacts.c,
  * rattle_energy.c.
  */
 #include "joints.h"
