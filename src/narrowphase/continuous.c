@@ -85,18 +85,6 @@ static void core_make(const cni_geometry *g, float depth, core_shape *core)
 		polygon_shrink(core, depth - from_radius);
 }
 
-/* The inner core: a capsule's segment, or the shape scaled about its centroid. Faces moved inwards would leave the tips of a wedge. */
-static void inner_core_make(const cni_geometry *g, core_shape *core)
-{
-	int32_t k;
-	core_make(g, CNI_CORE_INNER_DEPTH_PART * g->inner_radius, core);
-	if (g->type != CN_SHAPE_POLYGON)
-		return;
-	core->geometry.radius = (1.0f - CNI_CORE_INNER_DEPTH_PART) * g->radius;
-	for (k = 0; k < g->count; ++k)
-		core->points[k] = cni_madd(g->centroid, 1.0f - CNI_CORE_INNER_DEPTH_PART, cni_sub(cni_geometry_points(g)[k], g->centroid));
-}
-
 typedef struct clamp {
 	cn_world *world;
 	const cni_body *body;
@@ -246,7 +234,7 @@ static void inner_clamp(clamp *c, cni_toi_input *in, const cni_body *other)
 	core_shape inner;
 	if (c->core.depth >= CNI_CORE_INNER_DEPTH_PART * g->inner_radius)
 		return;
-	inner_core_make(g, &inner);
+	core_make(g, CNI_CORE_INNER_DEPTH_PART * g->inner_radius, &inner);
 	(void)core_clamp(c, &inner, in, other);
 }
 

@@ -293,7 +293,7 @@ static void machines(uint32_t from, uint32_t to, int32_t most)
 }
 
 static void t_machines_press_nobody_out(void) { machines(1, 12, 120); }
-/* Soft constraints pressed flat triangles through a chain: their inner cores had the tips of wedges. */
+/* Soft constraints pressed flat triangles through a chain while bodies gave up all of their paths where they were stopped. */
 static void t_a_piston_presses_nobody_out(void) { machines(155, 155, 200); }
 static void t_soak_machines(void) { machines(1, 240, 200); }
 
