@@ -102,13 +102,6 @@ static int32_t loop_is_better_soft(const cn_world *world, const cni_sparse *spar
 	return joints_to_fixed(world, sparse, c) > 1 || (2 * touched > bodies && touched > cni_heavy_contacts_most(sparse, c));
 }
 
-static void lane_impulses_scale(cni_contact_block *block, int32_t l, float part)
-{
-	block->p[0].jn[l] *= part;
-	block->p[1].jn[l] *= part;
-	block->jt[l] *= part;
-}
-
 /* Contacts between two of its bodies are scaled twice. */
 static void contact_impulses_scale(cn_world *world, const cni_sparse *sparse, const cni_component *c, float part)
 {
@@ -117,7 +110,7 @@ static void contact_impulses_scale(cn_world *world, const cni_sparse *sparse, co
 		for (key = cni_body_at(world, cni_awake_ids(world)[sparse->bodies[k]])->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
 			const cni_contact *contact = cni_contact_of_key(world, key);
 			if (cni_contact_has_lane(contact))
-				lane_impulses_scale(cni_block_at(world, contact->slot / CNI_LANES), contact->slot % CNI_LANES, part);
+				cni_block_scale_impulses(cni_block_at(world, contact->slot / CNI_LANES), contact->slot % CNI_LANES, part);
 		}
 }
 

@@ -269,6 +269,13 @@ static inline int32_t cni_contact_has_lane(const cni_contact *c)
 {
 	return (c->flags & (CNI_CONTACT_TOUCHING | CNI_CONTACT_ASLEEP)) == CNI_CONTACT_TOUCHING;
 }
+/* Scales what the lane's next substep begins with. */
+static inline void cni_block_scale_impulses(cni_contact_block *block, int32_t lane, float part)
+{
+	block->p[0].jn[lane] *= part;
+	block->p[1].jn[lane] *= part;
+	block->jt[lane] *= part;
+}
 /* Invalidates the lane's anchor: the next step computes the manifold even without motion. */
 void cni_contact_invalidate(cn_world *world, int32_t contact);
 /* ... of all contacts of a body, after its centre of mass changed. */

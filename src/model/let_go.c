@@ -15,12 +15,10 @@ static void lane_limit(const cn_world *world, int32_t slot, float speed_most)
 	cni_contact_block *block = cni_block_at(world, slot / CNI_LANES);
 	int32_t l = slot % CNI_LANES;
 	float inv_mass = cni_max(cni_motions(world)[block->ia[l]].inv_mass, cni_motions(world)[block->ib[l]].inv_mass);
-	float speed = inv_mass * (block->p[0].jn[l] + block->p[1].jn[l]), part = speed_most / cni_max(speed, speed_most);
+	float speed = inv_mass * (block->p[0].jn[l] + block->p[1].jn[l]);
 	if (speed <= speed_most)
 		return;
-	block->p[0].jn[l] *= part;
-	block->p[1].jn[l] *= part;
-	block->jt[l] *= part;
+	cni_block_scale_impulses(block, l, speed_most / speed);
 }
 
 /* Once a step: islands of thousands of bodies may lose thousands. */

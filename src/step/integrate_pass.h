@@ -1,5 +1,6 @@
 /*
- * step/integrate_pass.h - interface of the body kernels: the loops over awake bodies of integrate.c and finalize.c; and the sum of speed gains that decides whether a body rests.
+ * step/integrate_pass.h - interface of the body kernels: the loops over awake bodies of integrate.c and finalize.c; and the sum of
+ * speed gains that decides whether a body rests.
  */
 #ifndef CNI_STEP_INTEGRATE_PASS_H
 #define CNI_STEP_INTEGRATE_PASS_H
