@@ -404,6 +404,12 @@ static void moves_clamp(const cni_body_pass *pass, const cni_body_kernel *kernel
 		(void)cni_atomic_add(&counter->bodies_stopped, stopped);
 }
 
+void cni_moves_clamp(cn_world *world, float dt)
+{
+	cni_body_pass pass = { world, cni_motions(world), cni_starts(world), cni_externals(world), dt, 0 };
+	moves_clamp(&pass, NULL, dt, 1, world->awake_count);
+}
+
 static void finish_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
 	const body_loop *loop = (const body_loop *)context;

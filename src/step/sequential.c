@@ -62,8 +62,8 @@ void cni_sequential_positions(cn_world *world, const cni_solve *s)
 		motions[k].dpx = s->dt * motions[k].vx;
 		motions[k].dpy = s->dt * motions[k].vy;
 		motions[k].theta = s->dt * motions[k].w;
-		world->bodies_stopped += cni_motion_keep_finite(&motions[k]); /* gravity times its scale may overflow */
 	}
+	cni_moves_clamp(world, s->dt); /* gravity times its scale may overflow, and so may the sum of many far ways */
 	cni_sequential_guard(world);
 	cni_poses_take(world);
 }

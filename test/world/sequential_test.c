@@ -612,6 +612,20 @@ static void equal_histories_are_equal(void)
 	CHECK(valid_a && valid_b && valid_c);
 }
 
+/* A step moves nothing farther than the speed limit allows: under such gravity the sum of a few ways overflowed. */
+static void falls_of_any_speed_stay_finite(void)
+{
+	cn_world *world = sequential_world(0.0f, 0);
+	cn_body body = fixture_circle(world, CN_BODY_DYNAMIC, 0.0f, 0.0f, 0.5f, 0.6f, 0.0f);
+	int32_t k;
+	must(cn_world_set_gravity(world, 3.4e38f, 0.0f), world, "cn_world_set_gravity");
+	for (k = 0; k < 20; ++k)
+		must(cn_world_step(world, 1.0f), world, "cn_world_step");
+	CHECK(fixture_is_valid(world));
+	CHECK_LE("way in 20 s", (double)fixture_pose(world, body).position_m.x, 20.0 * 400.0 * 1.001, "m");
+	cn_world_destroy(world);
+}
+
 int main(int argc, char **argv)
 {
 	test_begin(argc, argv);
@@ -633,6 +647,7 @@ int main(int argc, char **argv)
 	RUN(line_constraint_holds);
 	RUN(events_are_those_of_the_soft_solver);
 	RUN(a_step_of_no_time_finds_contacts);
+	RUN(falls_of_any_speed_stay_finite);
 	RUN(equal_histories_are_equal);
 	return test_end();
 }
