@@ -164,12 +164,13 @@ static int32_t is_pressed(const cn_world *world, const cni_solve *s, const cni_c
 	int32_t k;
 	cni_direct_contact_read(world, c, &p);
 	for (k = 0; k < 2; ++k) {
-		float closing = row_speed(&p, k, a, b);
+		float closing;
 		if (p.j[k] > speed * p.mass[k])
 			return 1;
-		if (p.mass[k] <= 0.0f || p.j[k] > 0.0f || (fixed && !(closing < s->contact[0].impact_speed)))
+		if (p.mass[k] <= 0.0f || p.j[k] > 0.0f)
 			continue;
-		if (cni_direct_contact_separation(&p, k, a, b) + s->dt * closing < world->settings.slop)
+		closing = row_speed(&p, k, a, b);
+		if ((!fixed || closing < s->contact[0].impact_speed) && cni_direct_contact_separation(&p, k, a, b) + s->dt * closing < world->settings.slop)
 			return 1;
 	}
 	return 0;
