@@ -11,7 +11,8 @@
  * boxes can hit only shapes they have contacts with.
  * A shape that rests on or slides along another keeps its core clear of it, so it does not catch. If a shape was pressed in so
  * deep that its core overlaps the other, a smaller core stops it: an edge has no interior, so contacts would let the shape
- * through. A body whose core already is at a static shape, where an earlier step stopped it, loses the approach speed of that
+ * through. If that core overlaps, too, the path leads no deeper along the contact's normal: machines would press the body through a wall by
+ * a few millimetres in each step. A body whose core already is at a static shape, where an earlier step stopped it, loses the approach speed of that
  * point, too: otherwise a contact that expects the turn may apply no impulse, and the body would hang there
  * while its speed grows.
  *
@@ -227,15 +228,53 @@ static int32_t core_clamp(clamp *c, const core_shape *core, cni_toi_input *in, c
 	return 1;
 }
 
-/* Clamps a shape whose outer core overlaps the other. If the inner core overlaps too, only contacts act. */
+/* The contact's lane, or CNI_NONE. */
+static int32_t slot_of(const clamp *c)
+{
+	int32_t key, next;
+	for (key = c->body->contact_first; key != CNI_NONE; key = next) {
+		const cni_contact *contact = cni_contact_of_key(c->world, key);
+		next = contact->next[key & 1];
+		if (contact->proxy[key & 1] == c->proxy && contact->proxy[1 - (key & 1)] == c->other_proxy)
+			return cni_contact_has_lane(contact) ? contact->slot : CNI_NONE;
+	}
+	return CNI_NONE;
+}
+
+/* Even the inner core starts inside the other shape. Contacts push it out; until then its path may not lead deeper, or a machine would press
+   it through step by step. */
+static void deeper_end(clamp *c)
+{
+	int32_t slot = slot_of(c), l = slot % CNI_LANES, deepest;
+	const cni_contact_block *k;
+	cni_vec2 n;
+	if (slot == CNI_NONE)
+		return;
+	k = cni_block_at(c->world, slot / CNI_LANES);
+	n = cni_v(-k->nx[l], -k->ny[l]);
+	if (!(path_advance_along(&c->core.geometry, 0, &c->path, n) < 0.0f) || !ends_path_before(c, 0.0f))
+		return;
+	deepest = k->p[1].s0[l] < k->p[0].s0[l];
+	c->fraction = 0.0f;
+	c->stopped_by = c->other_proxy;
+	c->blocking_body = 0;
+	c->normal = n;
+	c->arm = cni_madd(cni_mul(-k->p[deepest].at[l], cni_right_perp(n)), -k->p[deepest].an[l], n);
+	c->touching_core = c->core;
+}
+
+/* Clamps a shape whose outer core overlaps the other. */
 static void inner_clamp(clamp *c, cni_toi_input *in, const cni_body *other)
 {
 	const cni_geometry *g = cni_shape_geometry(&c->world->blocks, cni_shape_at(c->world, cni_proxy_at(c->world, c->proxy)->shape));
 	core_shape inner;
-	if (c->core.depth >= CNI_CORE_INNER_DEPTH_PART * g->inner_radius)
-		return;
-	core_make(g, CNI_CORE_INNER_DEPTH_PART * g->inner_radius, &inner);
-	(void)core_clamp(c, &inner, in, other);
+	if (c->core.depth < CNI_CORE_INNER_DEPTH_PART * g->inner_radius) {
+		core_make(g, CNI_CORE_INNER_DEPTH_PART * g->inner_radius, &inner);
+		if (core_clamp(c, &inner, in, other))
+			return;
+	}
+	if (other->type != CN_BODY_DYNAMIC)
+		deeper_end(c);
 }
 
 static float visit_candidate(void *context, int32_t proxy, float limit)
