@@ -98,6 +98,8 @@ typedef struct cni_reuse_pass {
 	const cni_reuse_pose *poses; /* NULL: records are read instead */
 	float dt;          /* of the step */
 	float drift_most;  /* limit of the sliding of surfaces along each other, metres */
+	float drift_most_of_faces; /* likewise of lanes with a bit in info.face, and of two circles */
+	float tiny;        /* what is closer counts as one: circle and body's centre, where turning changes nothing; surfaces that touch, metres */
 	float hair;        /* limit of the motion of a separated pair in the step, metres */
 	float apart_most;  /* limit of the separation, metres */
 	float depth_most;  /* limit of the overlap, metres */
@@ -110,7 +112,7 @@ typedef struct cni_reuse_bodies {
 } cni_reuse_bodies;
 
 /* Updates lanes with an anchor, and returns bits of the lanes that remain valid. bodies NULL: poses come from the pass. */
-typedef uint32_t cni_manifold_reuse_fn(const cni_reuse_pass *pass, cni_contact_block *block, const cni_block_anchor *anchor, const cni_reuse_bodies *bodies, uint32_t anchored);
+typedef uint32_t cni_manifold_reuse_fn(const cni_reuse_pass *pass, cni_contact_block *block, const cni_block_info *info, const cni_block_anchor *anchor, const cni_reuse_bodies *bodies, uint32_t anchored);
 
 typedef struct cni_contact_kernel {
 	cni_contact_kernel_fn *pass[CNI_PASSES];

@@ -2,17 +2,20 @@
  * contacts/manifold_reuse_kernel.h - the kernel of manifold reuse: updates lanes from their anchors instead of a new manifold.
  * Included by each width's contact kernel, called by narrowphase/manifold_reuse.c.
  *
- * In the frame of lane body a, a's points and the normal are at rest, and body b has moved by the change of its centre and
- * turned by a small angle. With the letters of model/contact.h, rb = (bn, bt) the arms on b, and turned(r) the change of an arm
- * by that angle,
- *   s = less + dn' + turned(rb).n                    separation now
- *   drift = dt' - dt + turned(rb).t                  sliding of one shape along the other
- * If b is static the frame is the world's: b's arms are at rest and a turns the other way. The lane's normal may lag behind the
- * normal that turns with a: CNI_NORMAL_LAG.
+ * Corners of one body, the incident one, touch a face of the other: in the frame of the face's body, the normal is at rest, and the
+ * incident body has moved by the change of the centres and turned by a small angle. With the letters of model/contact.h, r the arms of the
+ * incident body's corners without their rounding, and turned(r) the change of an arm by that angle,
+ *   s = less + dn' + turned(rb).n      separation now, if the face is a's
+ *   s = less + dn' - turned(ra).n      if it is b's (info.of_b), or if b is static: the frame is then the world's
+ *   drift = dt' - dt + turned(rb).t, or - turned(ra).t      sliding of the incident body along the face
+ * This is exact until other features touch, but for the slope of edges: edge_holds. Points slide along with the body of which they are
+ * corners (info.points_of_b), or stay on the face. For a circle about its body's centre, turning changes nothing; between two such circles
+ * the normal is that of the centres. Of other pairs (two corners, one-sided chains) the normal only seems to be at rest, and they may slide
+ * less: CNI_REUSE_PART. The lane's normal may lag behind the face's: CNI_NORMAL_LAG.
  *
- * The kernel rejects a pair that slid or turned farther than a small part of its size or a quarter of the slop (its features may
- * differ), a pair with a separation beyond the contact margin or a deep overlap, and a pair so fast that it may leave these
- * limits within the step. Rejected lanes stay unchanged.
+ * The kernel rejects a pair that slid or turned farther than a small part of its size, as other features may touch, a pair with a
+ * separation beyond the contact margin or a deep overlap, and a pair so fast that it may leave these limits within the step. Rejected
+ * lanes stay unchanged.
  */
 #include "contacts/contact_pass.h"
 #include "model/tuning.h"
@@ -25,7 +28,7 @@ typedef struct reuse_pair {
 	cni_wide vx, vy, wa, wb;     /* velocity of b's centre less a's; angular velocities */
 	cni_wide ma, ia, mb, ib;     /* inverse masses */
 	cni_wide dx, dy;             /* centre b - centre a */
-	cni_wide ac, as, turn_c, turn_s;
+	cni_wide ac, as, bc, bs, turn_c, turn_s;
 	cni_wide extent;             /* extent of the smaller body */
 } reuse_pair;
 
@@ -75,76 +78,133 @@ CNI_INLINE reuse_pair reuse_gather(const cni_reuse_pass *pass, const cni_contact
 	p.dy = (b.y - a.y) + (b.y_low - a.y_low);
 	p.ac = a.c;
 	p.as = a.s;
+	p.bc = b.c;
+	p.bs = b.s;
 	p.turn_c = a.c * b.c + a.s * b.s;
 	p.turn_s = a.c * b.s - a.s * b.c;
 	p.extent = cni_wide_min(a.extent, b.extent);
 	return p;
 }
 
-/* Motion since the anchor was taken, in the lane's frame. */
+/* What the vector's lanes are: bits of cni_block_info. */
+typedef struct reuse_kind {
+	cni_mask fixed, of_b, face, points_of_b;
+	cni_mask circles; /* two circles about their bodies' centres */
+	cni_mask round;   /* the incident one is such a circle: turning changes nothing */
+} reuse_kind;
+
+/* The arm of a point is none, less the radius: a circle about the body's centre. s: separation, of which the point is in the middle. */
+CNI_INLINE cni_mask is_round(const cni_reuse_pass *pass, cni_wide along_t, cni_wide along_n, cni_wide s)
+{
+	return (cni_wide_abs(along_t) <= cni_wide_of(pass->tiny)) & (cni_wide_abs(along_n) <= pass->tiny + cni_wide_abs(s));
+}
+
+CNI_INLINE reuse_kind reuse_kind_of(const cni_reuse_pass *pass, const cni_contact_block *k, const cni_block_info *info, int32_t l)
+{
+	const cni_mask none = cni_mask_of_bits(0);
+	reuse_kind r;
+	r.fixed = cni_mask_of_zero(k->ib + l);
+	r.of_b = r.fixed | cni_mask_of_bits((uint32_t)info->of_b >> l);
+	r.face = cni_mask_of_bits((uint32_t)info->face >> l);
+	r.points_of_b = cni_mask_of_bits((uint32_t)info->points_of_b >> l);
+	r.circles = r.round = none;
+	if (cni_mask_bits(cni_wide_load(k->p[1].nm + l) == cni_wide_of(0.0f)) != 0) {
+		cni_wide at = cni_wide_load(k->p[0].at + l), an = cni_wide_load(k->p[0].an + l), s = cni_wide_load(k->p[0].s0 + l);
+		cni_mask a = is_round(pass, at, an, s), b = is_round(pass, at - cni_wide_load(k->dt + l), an - cni_wide_load(k->dn + l), s);
+		r.circles = a & b;
+		r.round = r.circles | (r.face & ((r.of_b & a) | (~r.of_b & b)));
+	}
+	return r;
+}
+
+/* Motion since the anchor was taken, in the frame of the normal. */
 typedef struct reuse_change {
-	cni_mask fixed;       /* b is static: a's arms turn and not b's */
 	cni_wide nx, ny, dn, dt;
 	cni_wide dn_change;   /* since the lane's last update */
-	cni_wide sin, cos1;   /* of the turn: sin, cos - 1 */
-	cni_wide radius;      /* of lane a's shape */
+	cni_wide slide;       /* dt' - dt */
+	cni_wide sin, cos1;   /* of the turn of the incident body: sin, cos - 1 */
 } reuse_change;
 
-CNI_INLINE reuse_change reuse_change_make(const reuse_pair *f, const cni_contact_block *k, const cni_block_anchor *anchor, int32_t l)
+/* Normals of two circles. */
+CNI_INLINE void centers_normal(const reuse_pair *f, cni_mask circles, reuse_change *g)
 {
-	cni_wide x = cni_wide_load(anchor->x.nx + l), y = cni_wide_load(anchor->ny + l);
-	cni_wide an = cni_wide_load(k->p[0].an + l), fa = cni_wide_load(k->fa + l), sin;
-	cni_mask two = cni_wide_load(k->p[1].nm + l) > cni_wide_of(0.0f);
+	cni_wide inv;
+	if (cni_mask_bits(circles) == 0)
+		return;
+	inv = 1.0f / cni_wide_sqrt(f->dx * f->dx + f->dy * f->dy);
+	g->nx = cni_wide_select(circles, f->dx * inv, g->nx);
+	g->ny = cni_wide_select(circles, f->dy * inv, g->ny);
+}
+
+CNI_INLINE reuse_change reuse_change_make(const reuse_pair *f, const reuse_kind *r, const cni_contact_block *k, const cni_block_anchor *anchor, int32_t l)
+{
+	cni_wide x = cni_wide_load(anchor->x.nx + l), y = cni_wide_load(anchor->ny + l), sin;
+	cni_wide c = cni_wide_select(r->of_b, f->bc, f->ac), s = cni_wide_select(r->of_b, f->bs, f->as);
 	reuse_change g;
-	g.fixed = cni_mask_of_zero(k->ib + l);
-	g.nx = cni_wide_select(g.fixed, cni_wide_load(k->nx + l), f->ac * x - f->as * y);
-	g.ny = cni_wide_select(g.fixed, cni_wide_load(k->ny + l), f->as * x + f->ac * y);
+	g.nx = cni_wide_select(r->fixed, cni_wide_load(k->nx + l), c * x - s * y);
+	g.ny = cni_wide_select(r->fixed, cni_wide_load(k->ny + l), s * x + c * y);
+	centers_normal(f, r->circles, &g);
 	g.dn = f->dx * g.nx + f->dy * g.ny;
 	g.dt = f->dx * g.ny - f->dy * g.nx;
-	g.dn_change = g.dn - (fa - cni_wide_load(k->fb + l));
+	g.dn_change = g.dn - (cni_wide_load(k->fa + l) - cni_wide_load(k->fb + l));
+	g.slide = g.dt - cni_wide_load(anchor->dt + l);
 	sin = cni_wide_load(anchor->c + l) * f->turn_s - cni_wide_load(anchor->s + l) * f->turn_c;
-	g.sin = cni_wide_select(g.fixed, -sin, sin);
-	g.cos1 = -0.5f * sin * sin;
-	g.radius = fa - cni_wide_select(two, 0.5f * (an + cni_wide_load(k->p[1].an + l)), an);
+	g.sin = cni_wide_select(r->round, cni_wide_of(0.0f), cni_wide_select(r->of_b, -sin, sin));
+	g.cos1 = -0.5f * g.sin * g.sin;
 	return g;
 }
 
 typedef struct reuse_point {
-	cni_wide at, an, s, drift; /* arms and separation now; how far the surfaces slid along each other */
+	cni_wide at, an, s, drift; /* arms and separation now; how far the incident body slid along the face */
 	cni_wide shift;            /* change of the arm on a along n */
 	cni_mask used;
 } reuse_point;
 
-CNI_INLINE reuse_point reuse_point_make(const reuse_change *g, const cni_contact_block *k, const cni_block_anchor *anchor, int32_t which, int32_t l)
+CNI_INLINE reuse_point reuse_point_make(const reuse_change *g, const reuse_kind *r, const cni_contact_block *k, const cni_block_anchor *anchor, int32_t which, int32_t l)
 {
 	const cni_contact_row *p = &k->p[which];
-	cni_wide at = cni_wide_load(p->at + l), an = cni_wide_load(p->an + l);
-	cni_wide arm_n = cni_wide_select(g->fixed, an + g->radius, an + g->radius - g->dn), arm_t = cni_wide_select(g->fixed, at, at - g->dt);
+	cni_wide an = cni_wide_load(p->an + l), at = cni_wide_load(p->at + l), bt = at - cni_wide_load(k->dt + l), then = cni_wide_load(anchor->dt + l);
+	cni_wide arm_n = cni_wide_select(r->of_b, an, an - cni_wide_load(k->dn + l)), arm_t = cni_wide_select(r->of_b, bt + then, at - then);
 	cni_wide along_n = g->cos1 * arm_n + g->sin * arm_t, along_t = g->cos1 * arm_t - g->sin * arm_n;
 	reuse_point q;
-	q.s = cni_wide_load(anchor->of.less[which] + l) + g->dn + cni_wide_select(g->fixed, -along_n, along_n);
-	q.drift = g->dt - cni_wide_load(anchor->dt + l) + cni_wide_select(g->fixed, -along_t, along_t);
-	q.at = cni_wide_select(g->fixed, at - cni_wide_load(k->dt + l) + g->dt, at);
+	q.s = cni_wide_load(anchor->of.less[which] + l) + g->dn + cni_wide_select(r->of_b, -along_n, along_n);
+	q.drift = g->slide + cni_wide_select(r->of_b, -along_t, along_t);
+	q.at = cni_wide_select(r->points_of_b, bt + g->dt, at);
 	q.shift = 0.5f * (q.s - cni_wide_load(p->s0 + l)); /* the point stays midway between the surfaces */
-	q.shift = cni_wide_select(g->fixed, g->dn_change - q.shift, q.shift);
+	q.shift = cni_wide_select(r->of_b, g->dn_change - q.shift, q.shift);
 	q.an = an + q.shift;
 	q.used = cni_wide_load(p->nm + l) > cni_wide_of(0.0f);
 	return q;
 }
 
+/* Lanes whose second point is still there. An edge that slides over points that stay on the face changes their separations by its slope, which
+   is left out: by as much as other pairs may slide, at most. */
+CNI_INLINE cni_mask edge_holds(const cni_reuse_pass *pass, const reuse_kind *r, const reuse_point *p, const reuse_point *q)
+{
+	cni_wide slid = cni_wide_abs(q->drift), wide = cni_wide_abs(q->at - p->at);
+	cni_mask incident = r->points_of_b ^ r->of_b;
+	return ~q->used | ((slid <= wide) & (incident | (cni_wide_abs(q->s - p->s) * slid <= pass->drift_most * wide)));
+}
+
 /* Lanes in which the same features touch at the same place, now and after the step. */
 CNI_INLINE cni_mask reuse_holds(const cni_reuse_pass *pass, const reuse_pair *f, const reuse_change *g, const reuse_point *p, const reuse_point *q,
-                                 cni_wide fa, cni_wide fb)
+                                 cni_wide fa, cni_wide fb, const reuse_kind *r)
 {
 	const cni_wide zero = cni_wide_of(0.0f);
-	cni_wide reach = cni_wide_min(f->extent * CNI_REUSE_PART, cni_wide_of(pass->drift_most));
+	cni_mask exact = r->face | r->circles, alone = r->face & ~q->used & ~r->round; /* a corner alone may slide off the face unseen */
 	cni_wide second = cni_wide_select(q->used, cni_wide_abs(q->drift), zero), nearest = cni_wide_min(p->s, cni_wide_select(q->used, q->s, p->s));
 	cni_wide un = g->nx * f->vx + g->ny * f->vy + f->wb * (p->at - g->dt) - f->wa * p->at;
-	cni_wide ut = g->ny * f->vx - g->nx * f->vy - f->wb * fb + f->wa * fa;
-	cni_wide far = cni_wide_select(nearest > zero, cni_wide_of(pass->hair), reach), turn = cni_wide_abs(f->wb - f->wa) * pass->dt;
-	cni_wide most = cni_wide_max(cni_wide_abs(un), cni_wide_abs(ut)) * pass->dt;
+	cni_wide ut = g->ny * f->vx - g->nx * f->vy - cni_wide_select(r->round & ~r->of_b, zero, f->wb * fb) + cni_wide_select(r->round & r->of_b, zero, f->wa * fa);
+	cni_wide turn = cni_wide_select(r->round, zero, 2.0f * f->extent * cni_wide_abs(f->wb - f->wa));
+	cni_wide ahead = cni_wide_max(cni_wide_max(cni_wide_abs(un), cni_wide_abs(ut)), turn) * pass->dt; /* motion in the step */
+	cni_wide least = cni_wide_min(f->extent * CNI_REUSE_PART, cni_wide_of(pass->drift_most));
+	cni_wide most = cni_wide_select(exact, cni_wide_min(f->extent * CNI_REUSE_FACE_PART, cni_wide_of(pass->drift_most_of_faces)), least);
+	cni_wide reach;
+	most *= cni_wide_select(alone, cni_wide_of(CNI_REUSE_CORNER_PART), cni_wide_of(1.0f));
+	reach = cni_wide_max(least, cni_wide_min(most, CNI_REUSE_STEPS * ahead));
 	return p->used & (cni_wide_max(cni_wide_abs(p->drift), second) <= reach) & (2.0f * f->extent * cni_wide_abs(g->sin) <= reach) &
-	       (nearest <= cni_wide_of(pass->apart_most)) & (nearest >= -cni_wide_min(0.25f * f->extent, cni_wide_of(pass->depth_most))) & (most <= far) & (2.0f * f->extent * turn <= far);
+	       (nearest <= cni_wide_of(pass->apart_most)) & (nearest >= -cni_wide_min(0.25f * f->extent, cni_wide_of(pass->depth_most))) &
+	       (ahead <= cni_wide_select(nearest > cni_wide_of(pass->tiny), cni_wide_of(pass->hair), most));
 }
 
 CNI_INLINE void store_where(float *row, cni_mask where, cni_wide value)
@@ -170,14 +230,15 @@ CNI_INLINE cni_mask normal_lags(const cni_contact_block *k, int32_t l, cni_mask 
 }
 
 /* Updates one vector of lanes; returns bits of the reused lanes. */
-CNI_INLINE uint32_t reuse_group(const cni_reuse_pass *pass, cni_contact_block *k, const cni_block_anchor *anchor, const cni_reuse_bodies *bodies, uint32_t anchored, int32_t l)
+CNI_INLINE uint32_t reuse_group(const cni_reuse_pass *pass, cni_contact_block *k, const cni_block_info *info, const cni_block_anchor *anchor, const cni_reuse_bodies *bodies, uint32_t anchored, int32_t l)
 {
 	reuse_pair f = reuse_gather(pass, k, bodies, l);
-	reuse_change g = reuse_change_make(&f, k, anchor, l);
-	reuse_point p = reuse_point_make(&g, k, anchor, 0, l), q = reuse_point_make(&g, k, anchor, 1, l);
+	reuse_kind r = reuse_kind_of(pass, k, info, l);
+	reuse_change g = reuse_change_make(&f, &r, k, anchor, l);
+	reuse_point p = reuse_point_make(&g, &r, k, anchor, 0, l), q = reuse_point_make(&g, &r, k, anchor, 1, l);
 	cni_wide fa = cni_wide_load(k->fa + l) + cni_wide_select(q.used, 0.5f * (p.shift + q.shift), p.shift), fb = fa - g.dn;
 	cni_mask turned, good = cni_mask_of_bits(anchored >> l) & (cni_wide_load(anchor->c + l) * f.turn_c + cni_wide_load(anchor->s + l) * f.turn_s > cni_wide_of(0.0f));
-	good = good & reuse_holds(pass, &f, &g, &p, &q, fa, fb);
+	good = good & edge_holds(pass, &r, &p, &q) & reuse_holds(pass, &f, &g, &p, &q, fa, fb, &r);
 	reuse_point_store(&f, &k->p[0], l, good, &p, g.dt);
 	reuse_point_store(&f, &k->p[1], l, good, &q, g.dt);
 	turned = good & ~normal_lags(k, l, q.used, g.nx, g.ny, f.wa, f.wb, pass->lag_sq);
@@ -191,14 +252,14 @@ CNI_INLINE uint32_t reuse_group(const cni_reuse_pass *pass, cni_contact_block *k
 	return cni_mask_bits(good) << l;
 }
 
-static uint32_t kernel_reuse(const cni_reuse_pass *pass, cni_contact_block *k, const cni_block_anchor *anchor, const cni_reuse_bodies *bodies, uint32_t anchored)
+static uint32_t kernel_reuse(const cni_reuse_pass *pass, cni_contact_block *k, const cni_block_info *info, const cni_block_anchor *anchor, const cni_reuse_bodies *bodies, uint32_t anchored)
 {
 	uint32_t reused = 0;
 	int32_t l;
 	for (l = 0; l < CNI_LANES && CNI_ON(MANIFOLD_REUSE); l += CNI_WIDTH) {
 		uint32_t lanes = anchored & ((1u << CNI_WIDTH) - 1u) << l;
 		if (lanes != 0)
-			reused |= reuse_group(pass, k, anchor, bodies, lanes, l);
+			reused |= reuse_group(pass, k, info, anchor, bodies, lanes, l);
 	}
 	return reused;
 }

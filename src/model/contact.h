@@ -28,8 +28,8 @@
  *   shapes' radii, so that a rolling circle keeps its separation
  *
  * Beside each block are the anchors of its lanes: the poses of the bodies when the manifold was last computed. While they have
- * hardly moved since, manifold reuse (narrowphase/manifold_reuse.c) updates the lane from there, and the narrowphase skips the
- * contact.
+ * moved little against each other since, manifold reuse (narrowphase/manifold_reuse.c) updates the lane from there, and the
+ * narrowphase skips the contact.
  */
 #ifndef CNI_MODEL_CONTACT_H
 #define CNI_MODEL_CONTACT_H
@@ -74,12 +74,12 @@ enum {
 };
 
 /*
- * A lane's state when its manifold was written, for lanes with a bit in info.anchored. Points and normal are at rest in the
- * frame of lane body a; if lane body b is static (ib is 0), in the world's frame.
+ * A lane's state when its manifold was written, for lanes with a bit in info.anchored. The normal is at rest in the frame of lane body a,
+ * or of b where info.of_b has a bit; if lane body b is static (ib is 0), in the world's frame.
  */
 typedef struct cni_block_anchor {
 	union {
-		float nx[CNI_LANES];    /* normal in lane a's frame */
+		float nx[CNI_LANES];    /* normal in the frame of its body */
 		int32_t body[CNI_LANES]; /* ib is 0: record of lane body b */
 	} x;
 	float ny[CNI_LANES];
@@ -115,11 +115,14 @@ typedef struct cni_block_info {
 	uint16_t flags;                  /* CNI_BLOCK_ */
 	uint32_t fresh_step;             /* step + 1 of a lane's last begin of touching */
 	uint16_t fresh;                  /* ... lanes that began then, as bits; the solver clears lanes with an impulse, substep by substep */
-	uint16_t anchored;               /* bits of lanes with an anchor */
-	int32_t sums;                    /* index of its cni_block_sums, or CNI_NONE; within a step, where world.sums is not NULL */
+	uint16_t anchored;               /* bits of lanes with an anchor; of those: */
+	uint16_t of_b;                   /* ... the normal is that of a face of lane body b */
+	uint16_t face;                   /* ... corners or circles of one body touch a face of the other */
+	uint16_t points_of_b;            /* ... the points are corners or circles of lane body b */
 #if CNI_HAS_DIRECT
-	uint32_t again;                  /* bits of marked lanes: cni_contact_mark_again */
+	uint16_t again;                  /* bits of marked lanes: cni_contact_mark_again */
 #endif
+	int32_t sums;                    /* index of its cni_block_sums, or CNI_NONE; within a step, where world.sums is not NULL */
 } cni_block_info;
 
 /* Impulses of a block's lanes over a step, while the step runs: contacts/impulse_sums.c. */

@@ -171,8 +171,33 @@ static int32_t may_be_reused(const cn_world *world, const cni_contact *c, const 
 	return extra->rolling[l] == 0.0f && extra->tangent_speed[l] == 0.0f;
 }
 
+/* Bits 0 and 8 of the result, in this order or swapped: the features of b and a are edges (CNI_FEATURE_EDGE), not corners or circles. */
+CNI_INLINE uint32_t edges_of(uint32_t id, uint32_t swap)
+{
+	uint32_t edges = (id - 0x0101u) >> 4;
+	return swap ? edges >> 8 | edges << 8 : edges;
+}
+
+CNI_INLINE uint16_t bit_set(uint16_t bits, uint32_t l, uint32_t on)
+{
+	return (uint16_t)((bits & ~(1u << l)) | on << l);
+}
+
+/* What normal and points move with. The manifold's axis names the face, where there is one; a single corner on a corner has none. Points are
+   taken to be of the face's body unless all are corners of the other. */
+CNI_INLINE void anchor_write_kind(const cni_contact *c, int32_t ib, cni_block_info *info, uint32_t l, int32_t points)
+{
+	uint32_t flipped = (c->flags & CNI_CONTACT_FLIPPED) != 0, axis_of_b = c->cache.axis > CN_POLYGON_MAX_VERTICES;
+	uint32_t edges = edges_of(c->id[0], axis_of_b), others = points == 2 ? edges_of(c->id[1], axis_of_b) : edges; /* bit 8: of the face's body */
+	uint32_t has_face = c->cache.axis != 0 && (points == 2 || ((edges ^ edges >> 8) & 1u)), incident = edges >> 8 & ~edges & others >> 8 & ~others & 1u;
+	uint32_t of_b = has_face & (axis_of_b ^ flipped), face = has_face & (of_b | (ib != 0));
+	info->of_b = bit_set(info->of_b, l, of_b);
+	info->face = bit_set(info->face, l, face);
+	info->points_of_b = bit_set(info->points_of_b, l, face ? of_b ^ incident : ib == 0);
+}
+
 /* Writes the anchor, after the lane's rows. */
-CNI_INLINE void anchor_write(cn_world *world, const cni_contact *c, const cni_contact_block *block, cni_block_info *info, const lane_frame *f, float gap)
+CNI_INLINE void anchor_write(cn_world *world, const cni_contact *c, const cni_contact_block *block, cni_block_info *info, const lane_frame *f, int32_t points, float gap)
 {
 	uint32_t slot = (uint32_t)c->slot, l = slot % CNI_LANES;
 	cni_block_anchor *anchor = cni_block_anchor_at(world, (int32_t)(slot / CNI_LANES));
@@ -184,8 +209,9 @@ CNI_INLINE void anchor_write(cn_world *world, const cni_contact *c, const cni_co
 		anchor->of.fresh.gap[l] = gap;
 		return;
 	}
+	anchor_write_kind(c, block->ib[l], info, l, points);
 	turn = cni_rot_between(f->a->q, f->b->q);
-	n = cni_unrotate(f->a->q, f->n);
+	n = cni_unrotate(info->of_b >> l & 1u ? f->b->q : f->a->q, f->n);
 	centers = cni_dot(f->d, f->n);
 	info->anchored = (uint16_t)(info->anchored | 1u << l);
 	anchor->x.nx[l] = n.x;
@@ -268,7 +294,7 @@ void cni_contact_write(cn_world *world, cni_contact *c, const cni_body *a, const
 	lane_write_friction(block, lane, fa, fa - dn, m.t, m.ia, m.ib);
 	if ((c->flags & CNI_CONTACT_REFRESH) || f.locks || (info->flags & CNI_BLOCK_EXTRA))
 		lane_write_rare(world, c, &f, &m);
-	anchor_write(world, c, block, info, &f, ahead);
+	anchor_write(world, c, block, info, &f, manifold->count, ahead);
 }
 
 void cni_contact_write_empty(cn_world *world, int32_t contact)

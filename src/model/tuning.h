@@ -74,6 +74,18 @@ CNI_TUNING_FLOAT(CNI_PILE_STRESS_MAX, 15.0f)
 CNI_TUNING_FLOAT(CNI_PILE_BUCKLING_PART, 0.055f)
 /* Part of the smaller body's extent. Farther sliding of surfaces along each other invalidates a reused manifold. */
 CNI_TUNING_FLOAT(CNI_REUSE_PART, 1.0f / 256.0f)
+/* Likewise where corners of one body touch a face of the other and both may move: the reused manifold is exact until other features touch. */
+CNI_TUNING_FLOAT(CNI_REUSE_FACE_PART, 1.0f / 16.0f)
+/* Slops. The same limit for large bodies. */
+CNI_TUNING_FLOAT(CNI_REUSE_FACE_SLOPS, 3.0f)
+/* Part of that for a single corner, of which it is not known where the face ends. */
+CNI_TUNING_FLOAT(CNI_REUSE_CORNER_PART, 1.0f / 3.0f)
+/* Steps. A pair that comes to rest gets a new manifold: it may have slid by no more than its present motion in so many steps. */
+CNI_TUNING_FLOAT(CNI_REUSE_STEPS, 32.0f)
+/* Contact margins. Deeper overlaps get a new manifold: another face may be the nearest. */
+CNI_TUNING_FLOAT(CNI_REUSE_DEPTH_MARGINS, 2.0f)
+/* Slops. Circles are as near to their bodies' centres where turning changes nothing. */
+CNI_TUNING_FLOAT(CNI_ROUND_PER_SLOP, 0.01f)
 /* Restitution above which impacts are left to the next substep. A lower restitution returns a quarter of the energy at most, and crowds
    that are pressed together are held apart sooner. */
 CNI_TUNING_FLOAT(CNI_BOUNCE_DELAY_RESTITUTION, 0.5f)

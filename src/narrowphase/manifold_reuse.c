@@ -1,7 +1,7 @@
 /*
- * narrowphase/manifold_reuse.c - the first part of the narrowphase: updates manifolds whose bodies have hardly moved.
+ * narrowphase/manifold_reuse.c - the first part of the narrowphase: updates manifolds whose bodies have moved little against each other.
  *
- * Most contacts of a pile are between bodies at rest. The kernel of contacts/manifold_reuse_kernel.h updates their lanes in place,
+ * Most contacts of a pile are between bodies at rest, and in a crowd that moves most pairs move slowly against each other. The kernel of contacts/manifold_reuse_kernel.h updates their lanes in place,
  * several at once, from the anchors and the bodies' poses. It does not read contact records, shapes or boxes. The narrowphase
  * computes the manifolds of all other lanes. The world's workers share the blocks.
  *
@@ -57,8 +57,10 @@ static cni_reuse_pass pass_make(const cn_world *world, float dt)
 	pass.poses = NULL;
 	pass.dt = dt;
 	pass.drift_most = 0.25f * world->settings.slop;
+	pass.drift_most_of_faces = CNI_REUSE_FACE_SLOPS * world->settings.slop;
+	pass.tiny = CNI_ROUND_PER_SLOP * world->settings.slop;
 	pass.hair = 0.1f * world->settings.slop;
-	pass.depth_most = world->settings.contact_margin;
+	pass.depth_most = CNI_REUSE_DEPTH_MARGINS * world->settings.contact_margin;
 	pass.lag_sq = cni_normal_lag_sq(world);
 	pass.apart_most = world->settings.contact_margin - pass.hair;
 	return pass;
@@ -187,12 +189,12 @@ static uint32_t block_reuse(const reuse_loop *loop, int32_t block)
 	uint32_t anchored = loop->pass.dt > 0.0f && CNI_ON(MANIFOLD_REUSE) ? info->anchored : 0;
 	cni_reuse_bodies bodies;
 	if (anchored != 0 && loop->pass.poses != NULL && info->color < CNI_COLOR_STATIC)
-		return loop->kernel->reuse(&loop->pass, cni_block_at(world, block), cni_block_anchor_at(world, block), NULL, anchored);
+		return loop->kernel->reuse(&loop->pass, cni_block_at(world, block), info, cni_block_anchor_at(world, block), NULL, anchored);
 	if (anchored != 0)
 		anchored = bodies_gather(world, cni_block_at(world, block), cni_block_anchor_at(world, block), anchored, &bodies);
 	if (anchored == 0)
 		return 0;
-	return loop->kernel->reuse(&loop->pass, cni_block_at(world, block), cni_block_anchor_at(world, block), &bodies, anchored);
+	return loop->kernel->reuse(&loop->pass, cni_block_at(world, block), info, cni_block_anchor_at(world, block), &bodies, anchored);
 }
 
 /* Blocks share bodies; of those only the flag CNI_BODY_AT_STATIC is written. */

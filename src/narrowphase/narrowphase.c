@@ -1,8 +1,8 @@
 /*
  * narrowphase/narrowphase.c - stages 3 and 4: manifolds of awake contacts, begin and end of touching.
  *
- * Manifold reuse (manifold_reuse.c) updates contacts whose bodies have hardly moved; culling (cull.c) skips contacts that cannot
- * touch. The first part computes the manifold of every other awake contact: if the contact keeps touching, its lane is rewritten
+ * Manifold reuse (manifold_reuse.c) updates contacts whose bodies have moved little against each other; culling (cull.c) skips
+ * contacts that cannot touch. The first part computes the manifold of every other awake contact: if the contact keeps touching, its lane is rewritten
  * in place; if its state changes, it is listed. The second part applies the list in contact order: it takes and frees lanes,
  * links islands, logs events and removes ended pairs. Only the second part changes shared tables.
  *

@@ -110,7 +110,7 @@ static const cni_field block_fields[] = {
 #define I(member, kind) FIELD(cni_block_info, member, kind)
 static const cni_field info_fields[] = {
 	I(contact, CONTACT), I(restitution, WORD), I(prev, BLOCK), I(next, BLOCK), I(color, HALF), I(flags, HALF), I(sums, DERIVED), I(fresh_step, STAMP), I(fresh, HALF),
-	I(anchored, HALF),
+	I(anchored, HALF), I(of_b, HALF), I(face, HALF), I(points_of_b, HALF),
 #if CNI_HAS_DIRECT
 	I(again, DERIVED)
 #endif

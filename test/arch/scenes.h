@@ -18,14 +18,14 @@ typedef struct arch_scene {
 
 #define ARCH_SCENES 8
 static const arch_scene arch_scenes[ARCH_SCENES] = {
-	{ "shapes", scene_shapes, 0x4d0ba6b5df49bcaa },
-	{ "joints", scene_joints, 0x0d41f653e4973532 },
-	{ "direct", scene_direct, 0x60b4e8ef3d304e20 },
-	{ "tiers", scene_tiers, 0x1877c345c23a6e19 },
+	{ "shapes", scene_shapes, 0xbcb0b7b1f1d881c4 },
+	{ "joints", scene_joints, 0xe6615275ba0957bb },
+	{ "direct", scene_direct, 0x2fc21162e141a88b },
+	{ "tiers", scene_tiers, 0x337213a44431c420 },
 	{ "sequential", scene_sequential, 0x6bc77927e99d3264 },
-	{ "queries", scene_queries, 0x87ec33d6dbf77bec },
-	{ "events", scene_events, 0x6e70a387c2c2fba8 },
-	{ "file", scene_file, 0x8f16ccc05b0d3ded },
+	{ "queries", scene_queries, 0xe00b5fc452e92bec },
+	{ "events", scene_events, 0x730836a2e1150def },
+	{ "file", scene_file, 0xd03685e73f95d137 },
 };
 
 /* The number of a scene; 0 if a call failed: arch_failed_line. */

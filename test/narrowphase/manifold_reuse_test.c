@@ -70,15 +70,17 @@ static int32_t follow_all(cn_world *world, int32_t *total)
 
 /*
  * What following may miss. Until a manifold is computed again, one surface slides along the other by a 256th of the smaller
- * body's extent at most, and by no more than a quarter of the slop, 1.25 mm; one body turns against the other by a 512th.
+ * body's extent at most, and by no more than a quarter of the slop, 1.25 mm; one body turns against the other by a 512th. While they move,
+ * a body on a face slides by a 16th, no more than three slops, 15 mm.
  *   normal      between faces, that turn; at a box's corner a ball's centre moves along by what it slid: 1 / 256
- *   arms        what slid, and what the normal missed times the distance of the centres, 0.72 m for two boxes; balls slide
- *               less, and nearer
- *   separation  what slid times the angle between clipped edges, up to 0.2
+ *   arms        what slid, where the points are corners of both bodies, and what the normal missed times the distance of the centres, 0.72 m
+ *               for two boxes; balls slide less, and nearer
+ *   separation  what slid times the angle between clipped edges; in motion as well, as edge_holds limits that
  */
 #define NORMAL_OF_FACES (1.0 / 512.0)
 #define NORMAL_OF_BALLS (1.0 / 256.0)
 #define ARM (1.25e-3 + 0.72 * NORMAL_OF_FACES)
+#define ARM_IN_MOTION (15e-3 + 0.72 * NORMAL_OF_FACES)
 #define SEPARATION 2.5e-4
 
 /*
@@ -196,7 +198,7 @@ static void build_pile(cn_world *world, int32_t kinds, float shift)
 }
 
 /* Piles of which each kinds-th body is a box, after so many steps. */
-static worst piles_run(int32_t kinds, int32_t before, int32_t steps, double normal_most)
+static worst piles_run(int32_t kinds, int32_t before, int32_t steps, double normal_most, double arm_most)
 {
 	worst w;
 	int32_t pile;
@@ -211,7 +213,7 @@ static worst piles_run(int32_t kinds, int32_t before, int32_t steps, double norm
 	}
 	printf("  %d lanes, %d followed; separation %.2g m, arms %.2g m, normal %.2g rad, masses %.2g; others %d, their separation %.2g m\n", (int)w.lanes,
 	       (int)w.followed, w.separation, w.arm, w.normal, w.mass, (int)w.other, w.separation_of_others);
-	CHECK_LE("arms", w.arm, ARM, "m");
+	CHECK_LE("arms", w.arm, arm_most, "m");
 	CHECK_LE("part of the lanes that are others", (double)w.other / (double)w.followed, OTHER_PART, "");
 	CHECK_LE("separation of others", w.separation_of_others, SEPARATION_OF_CORNERS, "m");
 	return w;
@@ -219,16 +221,16 @@ static worst piles_run(int32_t kinds, int32_t before, int32_t steps, double norm
 
 static void a_pile_at_rest_is_followed(void)
 {
-	worst w = piles_run(1, 600, 100, NORMAL_OF_FACES);
+	worst w = piles_run(1, 600, 100, NORMAL_OF_FACES, ARM);
 	CHECK_GE("part of the lanes that is followed", (double)w.followed / (double)w.lanes, 0.9, "");
 	CHECK_LE("masses", w.mass, 1e-2, "");
 }
 
-static void a_pile_in_motion_is_followed_where_it_rests(void)
+static void a_pile_in_motion_is_followed(void)
 {
-	worst w = piles_run(3, 0, 300, NORMAL_OF_BALLS);
+	worst w = piles_run(3, 0, 300, NORMAL_OF_BALLS, ARM_IN_MOTION);
 	double part = (double)w.followed / (double)w.lanes;
-	CHECK_GE("part of the lanes that is followed", part, 0.05, "");
+	CHECK_GE("part of the lanes that is followed", part, 0.75, "");
 	CHECK_LE("... and not all of them are", part, 0.95, "");
 }
 
@@ -251,6 +253,73 @@ static void what_rides_along_is_followed(void)
 	CHECK_LE("normal", w.normal, NORMAL_OF_FACES / 10.0, "rad");
 	CHECK_LE("lanes with another manifold", w.other, 0, "of 24");
 	cn_world_destroy(world);
+}
+
+/* A heavy block of 2 m on a floor, and what slides over it by 14 mm between two looks, without friction. order: which is made first. */
+static worst sliders_run(int32_t order, int32_t round, float x, int32_t with_second_foot)
+{
+	cn_world *world = fixture_world(-10.0f, 0);
+	cn_body slider = 0;
+	worst w;
+	int32_t k;
+	fixture_floor(world, 0.0f, 0.0f);
+	for (k = 0; k < 2; ++k) {
+		if (k == order) {
+			cn_body block = fixture_body(world, CN_BODY_DYNAMIC, 0.0f, 0.5f, 0.0f);
+			cn_shape_def def = fixture_shape_def(block, 0.0f, 0.0f);
+			def.density_kgpm2 = 100.0f;
+			fixture_box_shape(world, &def, 1.0f, 0.5f);
+		} else {
+			cn_shape_def def;
+			slider = fixture_body(world, CN_BODY_DYNAMIC, x, round ? 1.3f : 1.1f, 0.0f);
+			def = fixture_shape_def(slider, 0.0f, 0.0f);
+			if (round) {
+				cn_circle circle = { { 0.0f, 0.0f }, 0.3f };
+				must(cn_shape_create_circle(world, &def, &circle, NULL), world, "cn_shape_create_circle");
+			} else {
+				fixture_box_shape(world, &def, 0.1f, 0.1f);
+			}
+			if (with_second_foot) {
+				def.offset_m.x = 2.0f;
+				fixture_box_shape(world, &def, 0.1f, 0.1f);
+			}
+		}
+	}
+	fixture_box(world, CN_BODY_STATIC, 2.6f, 0.5f, 0.0f, 1.2f, 0.5f, 0.0f, 0.0f);
+	fixture_step(world, 60);
+	must(cn_body_set_velocity(world, slider, 0.085f, 0.0f, round ? -0.085f / 0.3f : 0.0f), world, "cn_body_set_velocity");
+	memset(&w, 0, sizeof w);
+	w.normal_most = NORMAL_OF_FACES;
+	run(world, 180, &w);
+	cn_world_destroy(world);
+	return w;
+}
+
+/* Corners and balls take their points along over the whole way: nothing is missed but rounding, and what overlaps change in a step. */
+static void points_slide_with_their_corners(void)
+{
+	int32_t order, round;
+	for (order = 0; order < 2; ++order)
+		for (round = 0; round < 2; ++round) {
+			worst w = sliders_run(order, round, -0.3f, 0);
+			printf("  %s, made %s: %d lanes, %d followed, arms %.2g m, masses %.2g, separation %.2g m\n", round ? "ball" : "box", order ? "before the block" : "after it",
+			       (int)w.lanes, (int)w.followed, w.arm, w.mass, w.separation);
+			CHECK_GE("followed", w.followed, 24, "lanes");
+			CHECK_LE("arms", w.arm, 1e-4, "m");
+			CHECK_LE("others", w.other, 0, "");
+		}
+}
+
+/* The first foot of a slider goes over the end of the block, while the second one bears it. */
+static void what_slides_off_a_face_is_computed_anew(void)
+{
+	int32_t order;
+	for (order = 0; order < 2; ++order) {
+		worst w = sliders_run(order, 0, 0.95f, 1);
+		printf("  %d lanes, %d followed, others %d\n", (int)w.lanes, (int)w.followed, (int)w.other);
+		CHECK_GE("followed", w.followed, 24, "lanes");
+		CHECK_LE("others", w.other, 0, "");
+	}
 }
 
 static int32_t lanes_followed(cn_world *world)
@@ -294,7 +363,7 @@ static void what_changes_is_computed_anew(void)
 	printf("  followed after a jump: %d\n", (int)lanes_followed(world));
 	CHECK(lanes_followed(world) == 0);
 	fixture_step(world, 60);
-	must(cn_body_set_velocity(world, box, 1.0f, 0.0f, 0.0f), world, "cn_body_set_velocity");
+	must(cn_body_set_velocity(world, box, 3.0f, 0.0f, 0.0f), world, "cn_body_set_velocity");
 	printf("  followed after a kick: %d\n", (int)lanes_followed(world));
 	CHECK(lanes_followed(world) == 0);
 	cn_world_destroy(world);
@@ -331,8 +400,10 @@ int main(void)
 {
 	RUN(how_poses_are_read_does_not_matter);
 	RUN(a_pile_at_rest_is_followed);
-	RUN(a_pile_in_motion_is_followed_where_it_rests);
+	RUN(a_pile_in_motion_is_followed);
 	RUN(what_rides_along_is_followed);
+	RUN(points_slide_with_their_corners);
+	RUN(what_slides_off_a_face_is_computed_anew);
 	RUN(what_changes_is_computed_anew);
 	return test_end();
 }
