@@ -96,23 +96,24 @@ typedef struct reuse_kind {
 /* The arm of a point is none, less the radius: a circle about the body's centre. s: separation, of which the point is in the middle. */
 CNI_INLINE cni_mask is_round(const cni_reuse_pass *pass, cni_wide along_t, cni_wide along_n, cni_wide s)
 {
-	return (cni_wide_abs(along_t) <= cni_wide_of(pass->tiny)) & (cni_wide_abs(along_n) <= pass->tiny + cni_wide_abs(s));
+	cni_mask t = cni_wide_abs(along_t) <= cni_wide_of(pass->tiny), n = cni_wide_abs(along_n) <= pass->tiny + cni_wide_abs(s);
+	return t & n;
 }
 
 CNI_INLINE reuse_kind reuse_kind_of(const cni_reuse_pass *pass, const cni_contact_block *k, const cni_block_info *info, int32_t l)
 {
-	const cni_mask none = cni_mask_of_bits(0);
+	cni_mask alone = cni_wide_load(k->p[1].nm + l) == cni_wide_of(0.0f);
 	reuse_kind r;
 	r.fixed = cni_mask_of_zero(k->ib + l);
 	r.of_b = r.fixed | cni_mask_of_bits((uint32_t)info->of_b >> l);
 	r.face = cni_mask_of_bits((uint32_t)info->face >> l);
 	r.points_of_b = cni_mask_of_bits((uint32_t)info->points_of_b >> l);
-	r.circles = r.round = none;
-	if (cni_mask_bits(cni_wide_load(k->p[1].nm + l) == cni_wide_of(0.0f)) != 0) {
+	r.circles = r.round = cni_mask_of_bits(0);
+	if (cni_mask_bits(alone) != 0) {
 		cni_wide at = cni_wide_load(k->p[0].at + l), an = cni_wide_load(k->p[0].an + l), s = cni_wide_load(k->p[0].s0 + l);
 		cni_mask a = is_round(pass, at, an, s), b = is_round(pass, at - cni_wide_load(k->dt + l), an - cni_wide_load(k->dn + l), s);
-		r.circles = a & b;
-		r.round = r.circles | (r.face & ((r.of_b & a) | (~r.of_b & b)));
+		r.circles = alone & a & b;
+		r.round = r.circles | (alone & r.face & ((r.of_b & a) | (~r.of_b & b)));
 	}
 	return r;
 }

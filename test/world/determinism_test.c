@@ -28,7 +28,7 @@ static const golden goldens[] = {
 	{ "small_200", 300, 1, 0xc9c8cd65e2dd41e6 },
 	{ "small_50_sleep", 600, 1, 0xeea94a37fa064549 },
 	{ "dominoes", 400, 1, 0x3f011ddb721e1775 },
-	{ "ragdolls", 480, 1, 0x62bfa6a91d1f01ec },
+	{ "ragdolls", 480, 1, 0xf7f40a1892d7dde4 },
 	{ "bridge", 240, 1, 0xdb06f83483b05c8a },
 	{ "car", 400, 1, 0x08d1717a7b55aaeb },
 	{ "mixer", 240, 1, 0xfa90cb5cc551e1c5 },
