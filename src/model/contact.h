@@ -106,6 +106,13 @@ typedef struct cni_block_extra {
 	float lock_bx[CNI_LANES], lock_by[CNI_LANES];
 } cni_block_extra;
 
+/* Bits of a block's lanes, where a record is not one of files of earlier versions. */
+#ifdef CN_SMALL_BLOCKS
+typedef uint8_t cni_lane_bits;
+#else
+typedef uint16_t cni_lane_bits;
+#endif
+
 /* Data of a block that most passes do not need. */
 typedef struct cni_block_info {
 	int32_t contact[CNI_LANES];      /* CNI_NONE: padding */
@@ -116,11 +123,11 @@ typedef struct cni_block_info {
 	uint32_t fresh_step;             /* step + 1 of a lane's last begin of touching */
 	uint16_t fresh;                  /* ... lanes that began then, as bits; the solver clears lanes with an impulse, substep by substep */
 	uint16_t anchored;               /* bits of lanes with an anchor; of those: */
-	uint16_t of_b;                   /* ... the normal is that of a face of lane body b */
-	uint16_t face;                   /* ... corners or circles of one body touch a face of the other */
-	uint16_t points_of_b;            /* ... the points are corners or circles of lane body b */
+	cni_lane_bits of_b;              /* ... the normal is that of a face of lane body b */
+	cni_lane_bits face;              /* ... corners or circles of one body touch a face of the other */
+	cni_lane_bits points_of_b;       /* ... the points are corners or circles of lane body b */
 #if CNI_HAS_DIRECT
-	uint16_t again;                  /* bits of marked lanes: cni_contact_mark_again */
+	cni_lane_bits again;             /* bits of marked lanes: cni_contact_mark_again */
 #endif
 	int32_t sums;                    /* index of its cni_block_sums, or CNI_NONE; within a step, where world.sums is not NULL */
 } cni_block_info;

@@ -178,9 +178,9 @@ CNI_INLINE uint32_t edges_of(uint32_t id, uint32_t swap)
 	return swap ? edges >> 8 | edges << 8 : edges;
 }
 
-CNI_INLINE uint16_t bit_set(uint16_t bits, uint32_t l, uint32_t on)
+CNI_INLINE cni_lane_bits bit_set(cni_lane_bits bits, uint32_t l, uint32_t on)
 {
-	return (uint16_t)((bits & ~(1u << l)) | on << l);
+	return (cni_lane_bits)((bits & ~(1u << l)) | on << l);
 }
 
 /* What normal and points move with. The manifold's axis names the face, where there is one; a single corner on a corner has none. Points are

@@ -218,13 +218,13 @@ static void fresh_move(cn_world *world, int32_t from, int32_t to)
 }
 
 /* Moves a lane's bit, and clears the source's. */
-static void bit_move(uint16_t *source, int32_t from, uint16_t *target, int32_t to)
+static void bit_move(cni_lane_bits *source, int32_t from, cni_lane_bits *target, int32_t to)
 {
-	uint32_t bit = *source >> from % CNI_LANES & 1u;
-	*source = (uint16_t)(*source & ~(1u << from % CNI_LANES));
-	*target = (uint16_t)(*target & ~(1u << to % CNI_LANES));
+	uint32_t bit = (uint32_t)*source >> from % CNI_LANES & 1u;
+	*source = (cni_lane_bits)(*source & ~(1u << from % CNI_LANES));
+	*target = (cni_lane_bits)(*target & ~(1u << to % CNI_LANES));
 	if (from != to)
-		*target = (uint16_t)(*target | bit << to % CNI_LANES);
+		*target = (cni_lane_bits)(*target | bit << to % CNI_LANES);
 }
 
 /* Moves the anchor, and clears the source's bits. */
@@ -233,10 +233,14 @@ static void anchor_move(cn_world *world, int32_t from, int32_t to)
 	cni_block_info *source_info = cni_block_info_at(world, from / CNI_LANES), *target_info = cni_block_info_at(world, to / CNI_LANES);
 	const float *source = (const float *)(const void *)cni_block_anchor_at(world, from / CNI_LANES) + from % CNI_LANES;
 	float *target = (float *)(void *)cni_block_anchor_at(world, to / CNI_LANES) + to % CNI_LANES;
+	uint32_t anchored = source_info->anchored >> from % CNI_LANES & 1u;
 	int32_t row;
 	for (row = 0; row < CNI_ANCHOR_ROWS; ++row)
 		memcpy(target + row * CNI_LANES, source + row * CNI_LANES, sizeof(float));
-	bit_move(&source_info->anchored, from, &target_info->anchored, to);
+	source_info->anchored = (uint16_t)(source_info->anchored & ~(1u << from % CNI_LANES));
+	target_info->anchored = (uint16_t)(target_info->anchored & ~(1u << to % CNI_LANES));
+	if (from != to)
+		target_info->anchored = (uint16_t)(target_info->anchored | anchored << to % CNI_LANES);
 	bit_move(&source_info->of_b, from, &target_info->of_b, to);
 	bit_move(&source_info->face, from, &target_info->face, to);
 	bit_move(&source_info->points_of_b, from, &target_info->points_of_b, to);

@@ -107,10 +107,11 @@ static const cni_field block_fields[] = {
 	K(ia, COUNT), K(ib, COUNT), K(nx, WORD), K(ny, WORD), K(static_friction, WORD), K(dynamic_friction, WORD), K(dn, WORD), K(dt, WORD), K(fa, WORD),
 	K(fb, WORD), K(tm, WORD), K(jt, WORD), K(p, WORD)
 };
+#define CNI_FIELD_LANE_BITS (sizeof(cni_lane_bits) == 2 ? CNI_FIELD_HALF : CNI_FIELD_BYTE)
 #define I(member, kind) FIELD(cni_block_info, member, kind)
 static const cni_field info_fields[] = {
 	I(contact, CONTACT), I(restitution, WORD), I(prev, BLOCK), I(next, BLOCK), I(color, HALF), I(flags, HALF), I(sums, DERIVED), I(fresh_step, STAMP), I(fresh, HALF),
-	I(anchored, HALF), I(of_b, HALF), I(face, HALF), I(points_of_b, HALF),
+	I(anchored, HALF), I(of_b, LANE_BITS), I(face, LANE_BITS), I(points_of_b, LANE_BITS),
 #if CNI_HAS_DIRECT
 	I(again, DERIVED)
 #endif
