@@ -99,7 +99,7 @@ typedef struct cni_reuse_pass {
 	float dt;          /* of the step */
 	float drift_most;  /* limit of the sliding of surfaces along each other, metres */
 	float drift_most_of_faces; /* likewise of lanes with a bit in info.face, and of two circles */
-	float tiny;        /* what is closer counts as one: circle and body's centre, where turning changes nothing; surfaces that touch, metres */
+	float tiny;        /* CNI_ROUND_PER_SLOP, metres */
 	float hair;        /* limit of the motion of a separated pair in the step, metres */
 	float apart_most;  /* limit of the separation, metres */
 	float depth_most;  /* limit of the overlap, metres */

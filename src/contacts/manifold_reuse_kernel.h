@@ -178,8 +178,8 @@ CNI_INLINE reuse_point reuse_point_make(const reuse_change *g, const reuse_kind 
 	return q;
 }
 
-/* Lanes whose second point is still there. An edge that slides over points that stay on the face changes their separations by its slope, which
-   is left out: by as much as other pairs may slide, at most. */
+/* Lanes whose second point is still there. An edge that slides over points that stay on the face changes their separations by its slope,
+   which is left out: by as much as other pairs may slide, at most. */
 CNI_INLINE cni_mask edge_holds(const cni_reuse_pass *pass, const reuse_kind *r, const reuse_point *p, const reuse_point *q)
 {
 	cni_wide slid = cni_wide_abs(q->drift), wide = cni_wide_abs(q->at - p->at);
@@ -195,7 +195,8 @@ CNI_INLINE cni_mask reuse_holds(const cni_reuse_pass *pass, const reuse_pair *f,
 	cni_mask exact = r->face | r->circles, alone = r->face & ~q->used & ~r->round; /* a corner alone may slide off the face unseen */
 	cni_wide second = cni_wide_select(q->used, cni_wide_abs(q->drift), zero), nearest = cni_wide_min(p->s, cni_wide_select(q->used, q->s, p->s));
 	cni_wide un = g->nx * f->vx + g->ny * f->vy + f->wb * (p->at - g->dt) - f->wa * p->at;
-	cni_wide ut = g->ny * f->vx - g->nx * f->vy - cni_wide_select(r->round & ~r->of_b, zero, f->wb * fb) + cni_wide_select(r->round & r->of_b, zero, f->wa * fa);
+	cni_wide spin_a = cni_wide_select(r->round & r->of_b, zero, f->wa), spin_b = cni_wide_select(r->round & ~r->of_b, zero, f->wb); /* circles roll */
+	cni_wide ut = g->ny * f->vx - g->nx * f->vy - spin_b * fb + spin_a * fa;
 	cni_wide turn = cni_wide_select(r->round, zero, 2.0f * f->extent * cni_wide_abs(f->wb - f->wa));
 	cni_wide ahead = cni_wide_max(cni_wide_max(cni_wide_abs(un), cni_wide_abs(ut)), turn) * pass->dt; /* motion in the step */
 	cni_wide least = cni_wide_min(f->extent * CNI_REUSE_PART, cni_wide_of(pass->drift_most));

@@ -113,6 +113,9 @@ typedef uint8_t cni_lane_bits;
 typedef uint16_t cni_lane_bits;
 #endif
 
+/* The bits with that of a lane set to `on`, 0 or 1. */
+static inline uint32_t cni_bits_with(uint32_t bits, uint32_t lane, uint32_t on) { return (bits & ~(1u << lane)) | on << lane; }
+
 /* Data of a block that most passes do not need. */
 typedef struct cni_block_info {
 	int32_t contact[CNI_LANES];      /* CNI_NONE: padding */

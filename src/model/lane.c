@@ -217,14 +217,12 @@ static void fresh_move(cn_world *world, int32_t from, int32_t to)
 		cni_lane_set_fresh(world, to);
 }
 
-/* Moves a lane's bit, and clears the source's. */
-static void bit_move(cni_lane_bits *source, int32_t from, cni_lane_bits *target, int32_t to)
+/* Clears a lane's bit and returns it. */
+static uint32_t bit_take(cni_lane_bits *bits, int32_t slot)
 {
-	uint32_t bit = (uint32_t)*source >> from % CNI_LANES & 1u;
-	*source = (cni_lane_bits)(*source & ~(1u << from % CNI_LANES));
-	*target = (cni_lane_bits)(*target & ~(1u << to % CNI_LANES));
-	if (from != to)
-		*target = (cni_lane_bits)(*target | bit << to % CNI_LANES);
+	uint32_t bit = (uint32_t)*bits >> slot % CNI_LANES & 1u;
+	*bits = (cni_lane_bits)cni_bits_with(*bits, (uint32_t)slot % CNI_LANES, 0);
+	return bit;
 }
 
 /* Moves the anchor, and clears the source's bits. */
@@ -233,17 +231,17 @@ static void anchor_move(cn_world *world, int32_t from, int32_t to)
 	cni_block_info *source_info = cni_block_info_at(world, from / CNI_LANES), *target_info = cni_block_info_at(world, to / CNI_LANES);
 	const float *source = (const float *)(const void *)cni_block_anchor_at(world, from / CNI_LANES) + from % CNI_LANES;
 	float *target = (float *)(void *)cni_block_anchor_at(world, to / CNI_LANES) + to % CNI_LANES;
-	uint32_t anchored = source_info->anchored >> from % CNI_LANES & 1u;
+	uint32_t l = (uint32_t)to % CNI_LANES, moves = from != to, anchored = source_info->anchored >> from % CNI_LANES & 1u & moves;
+	uint32_t of_b = bit_take(&source_info->of_b, from) & moves, face = bit_take(&source_info->face, from) & moves;
+	uint32_t points_of_b = bit_take(&source_info->points_of_b, from) & moves;
 	int32_t row;
 	for (row = 0; row < CNI_ANCHOR_ROWS; ++row)
 		memcpy(target + row * CNI_LANES, source + row * CNI_LANES, sizeof(float));
-	source_info->anchored = (uint16_t)(source_info->anchored & ~(1u << from % CNI_LANES));
-	target_info->anchored = (uint16_t)(target_info->anchored & ~(1u << to % CNI_LANES));
-	if (from != to)
-		target_info->anchored = (uint16_t)(target_info->anchored | anchored << to % CNI_LANES);
-	bit_move(&source_info->of_b, from, &target_info->of_b, to);
-	bit_move(&source_info->face, from, &target_info->face, to);
-	bit_move(&source_info->points_of_b, from, &target_info->points_of_b, to);
+	source_info->anchored = (uint16_t)cni_bits_with(source_info->anchored, (uint32_t)from % CNI_LANES, 0);
+	target_info->anchored = (uint16_t)cni_bits_with(target_info->anchored, l, anchored);
+	target_info->of_b = (cni_lane_bits)cni_bits_with(target_info->of_b, l, of_b);
+	target_info->face = (cni_lane_bits)cni_bits_with(target_info->face, l, face);
+	target_info->points_of_b = (cni_lane_bits)cni_bits_with(target_info->points_of_b, l, points_of_b);
 }
 
 /* Copies one lane over another and clears the source. */

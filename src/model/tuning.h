@@ -84,7 +84,7 @@ CNI_TUNING_FLOAT(CNI_REUSE_CORNER_PART, 1.0f / 3.0f)
 CNI_TUNING_FLOAT(CNI_REUSE_STEPS, 32.0f)
 /* Contact margins. Deeper overlaps get a new manifold: another face may be the nearest. */
 CNI_TUNING_FLOAT(CNI_REUSE_DEPTH_MARGINS, 2.0f)
-/* Slops. Circles are as near to their bodies' centres where turning changes nothing. */
+/* Slops. What is closer counts as one: a circle and its body's centre, where turning changes nothing, and surfaces that touch. */
 CNI_TUNING_FLOAT(CNI_ROUND_PER_SLOP, 0.01f)
 /* Restitution above which impacts are left to the next substep. A lower restitution returns a quarter of the energy at most, and crowds
    that are pressed together are held apart sooner. */

@@ -11,9 +11,9 @@
  * boxes can hit only shapes they have contacts with.
  * A shape that rests on or slides along another keeps its core clear of it, so it does not catch. If a shape was pressed in so
  * deep that its core overlaps the other, a smaller core stops it: an edge has no interior, so contacts would let the shape
- * through. If that core overlaps, too, the path leads no deeper along the contact's normal: machines would press the body through a wall by
- * a few millimetres in each step. A body whose core already is at a static shape, where an earlier step stopped it, loses the approach speed of that
- * point, too: otherwise a contact that expects the turn may apply no impulse, and the body would hang there
+ * through. If that core overlaps, too, the path leads no deeper along the contact's normal: machines would press the body through a
+ * wall by a few millimetres in each step. A body whose core already is at a static shape, where an earlier step stopped it, loses the
+ * approach speed of that point, too: otherwise a contact that expects the turn may apply no impulse, and the body would hang there
  * while its speed grows.
  *
  * The workers share the bodies. The path of a body that is no bullet depends on no other body; bullets follow serially, in order.
@@ -228,29 +228,17 @@ static int32_t core_clamp(clamp *c, const core_shape *core, cni_toi_input *in, c
 	return 1;
 }
 
-/* The contact's lane, or CNI_NONE. */
-static int32_t slot_of(const clamp *c)
-{
-	int32_t key, next;
-	for (key = c->body->contact_first; key != CNI_NONE; key = next) {
-		const cni_contact *contact = cni_contact_of_key(c->world, key);
-		next = contact->next[key & 1];
-		if (contact->proxy[key & 1] == c->proxy && contact->proxy[1 - (key & 1)] == c->other_proxy)
-			return cni_contact_has_lane(contact) ? contact->slot : CNI_NONE;
-	}
-	return CNI_NONE;
-}
-
 /* Even the inner core starts inside the other shape. Contacts push it out; until then its path may not lead deeper, or a machine would press
    it through step by step. */
 static void deeper_end(clamp *c)
 {
-	int32_t slot = slot_of(c), l = slot % CNI_LANES, deepest;
+	int32_t contact = cni_contact_find(c->world, c->proxy, c->other_proxy), l, deepest;
 	const cni_contact_block *k;
 	cni_vec2 n;
-	if (slot == CNI_NONE)
+	if (contact == CNI_NONE || !cni_contact_has_lane(cni_contact_at(c->world, contact)))
 		return;
-	k = cni_block_at(c->world, slot / CNI_LANES);
+	l = cni_contact_at(c->world, contact)->slot % CNI_LANES;
+	k = cni_block_at(c->world, cni_contact_at(c->world, contact)->slot / CNI_LANES);
 	n = cni_v(-k->nx[l], -k->ny[l]);
 	if (!(path_advance_along(&c->core.geometry, 0, &c->path, n) < 0.0f) || !ends_path_before(c, 0.0f))
 		return;

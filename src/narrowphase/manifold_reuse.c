@@ -1,9 +1,9 @@
 /*
  * narrowphase/manifold_reuse.c - the first part of the narrowphase: updates manifolds whose bodies have moved little against each other.
  *
- * Most contacts of a pile are between bodies at rest, and in a crowd that moves most pairs move slowly against each other. The kernel of contacts/manifold_reuse_kernel.h updates their lanes in place,
- * several at once, from the anchors and the bodies' poses. It does not read contact records, shapes or boxes. The narrowphase
- * computes the manifolds of all other lanes. The world's workers share the blocks.
+ * Most contacts of a pile are between bodies at rest, and in a crowd that moves most pairs move slowly against each other. The kernel of
+ * contacts/manifold_reuse_kernel.h updates their lanes in place, several at once, from the anchors and the bodies' poses. It does not read
+ * contact records, shapes or boxes. The narrowphase computes the manifolds of all other lanes. The world's workers share the blocks.
  *
  * Boxes need no test: a pair closer than the least margin of a fat box keeps overlapping boxes, whichever box was recomputed.
  *
