@@ -166,7 +166,8 @@ typedef struct window {
 enum {
 	COLUMN_NONE = -1,   /* not a pair for the batch */
 	COLUMN_APART = -2,  /* no manifold */
-	COLUMN_DEFERRED = -3
+	COLUMN_DEFERRED = -3,
+	COLUMN_CULLED = -4  /* stays apart, and has nothing to report */
 };
 
 /* Serial: defers nothing. Otherwise defers contacts that would allocate or call the user. */
@@ -223,6 +224,13 @@ static void window_prefetch(const cn_world *world, const window *w, int32_t coun
 	}
 }
 
+/* Contacts that touch or have something to report are not culled. */
+static int32_t is_culled(const cn_world *world, const cni_touch_pair *p, float dt)
+{
+	const uint32_t looked_at = CNI_CONTACT_TOUCHING | CNI_CONTACT_SENSOR | CNI_CONTACT_PASSING | CNI_CONTACT_CREATED_OWED;
+	return CNI_ON(CULLING) && !(p->contact->flags & looked_at) && cni_pair_stays_apart(world, p, dt);
+}
+
 static void window_begin(const cn_world *world, window *w, int32_t count, float dt)
 {
 	int32_t k;
@@ -235,6 +243,10 @@ static void window_begin(const cn_world *world, window *w, int32_t count, float 
 		w->column[k] = is_deferred(w, &w->pair[k]) ? COLUMN_DEFERRED : COLUMN_APART;
 		if (w->column[k] == COLUMN_DEFERRED)
 			continue;
+		if (is_culled(world, &w->pair[k], dt)) {
+			w->column[k] = COLUMN_CULLED;
+			continue;
+		}
 		if (!cni_touch_begin(world, &w->pair[k], motion_time(c, dt), t))
 			continue;
 		w->column[k] = COLUMN_NONE;
@@ -249,6 +261,8 @@ static int32_t window_finish(cn_world *world, window *w, int32_t k, float dt)
 	int32_t change;
 	if (w->column[k] == COLUMN_DEFERRED)
 		return CHANGE_DEFERRED;
+	if (w->column[k] == COLUMN_CULLED)
+		return CHANGE_NONE;
 	if (w->column[k] == COLUMN_NONE)
 		cni_touch_collide(t);
 	else if (has_kernel(w) && w->column[k] >= 0)

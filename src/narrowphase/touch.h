@@ -53,6 +53,8 @@ static inline cni_touch_pair cni_touch_pair_of(const cn_world *world, cni_contac
 	return p;
 }
 
+/* 1: the boxes overlap, and a direction separates the shapes throughout the step: apart.c. */
+int32_t cni_pair_stays_apart(const cn_world *world, const cni_touch_pair *p, float dt);
 /* Returns 0 where the manifold is empty: the fat boxes are apart. A pair whose boxes are apart ends even if it moves
    fast, or the broadphase would find it twice. */
 int32_t cni_touch_begin(const cn_world *world, const cni_touch_pair *p, float dt, cni_touch *out);
