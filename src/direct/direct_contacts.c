@@ -203,8 +203,8 @@ static void impulses_restore(const cni_direct_contact_pass *q)
 	}
 }
 
-/* Solves with the kept set, consistent or not. That is a projection, which removes energy and adds none, unless sliding friction is far
-   from its normal impulse. */
+/* Solves with the set in which a body at rest begins to move, as the interior-point method has not run or found nothing better. It was
+   consistent: the energy tells whether it is so with the impulses of the pass. */
 static int32_t solve_with_kept_set(const cni_direct_contact_pass *q)
 {
 	cni_direct_contact_states_save(q, 1);
@@ -304,7 +304,6 @@ static int32_t cone_is_admitted(cni_direct_contact_pass *q)
 	q->denied = is_denied(q);
 	if (q->denied)
 		return 0;
-	q->c->cone_ran = 1;
 	q->c->cone_pushed = q->bias;
 	return 1;
 }
@@ -367,7 +366,7 @@ int32_t cni_direct_contacts_solve(cn_world *world, const cni_solve *s, cni_spars
 		return 1;
 	}
 	c->denied = q.denied || (shared && cni_attempt_work_is_spent(world, c));
-	if ((q.kept || (c->denied && c->cone_ran)) && solve_with_kept_set(&q))
+	if (q.kept && solve_with_kept_set(&q))
 		return 1;
 	if (!c->denied)
 		debt_add(&q, CNI_CONE_FAILED);

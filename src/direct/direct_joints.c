@@ -187,7 +187,7 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 	s->direct = out;
 	for (k = 0; k < out->component_count; ++k) {
 		out->components[k].has_contacts = component_has_contacts(out, &out->components[k]);
-		out->components[k].cone_ran = out->components[k].cone_pushed = out->components[k].denied = 0;
+		out->components[k].cone_pushed = out->components[k].denied = 0;
 	}
 	for (k = 0; k < out->component_count; ++k) {
 		cni_component *c = &out->components[k];

@@ -166,7 +166,8 @@ static void island_mark_bad(cn_world *world, int32_t island, int32_t reason)
 
 /*
  * The loads of a directly solved island held it in balance. Soft contacts yield around these loads: in an island that moves after all, the
- * thrust of an arch would drive it apart. Clearing them lets the soft solver find new ones.
+ * thrust of an arch would drive it apart, and a tower that sways would be pushed on by loads that lie on one edge of its boxes. Clearing them
+ * lets the soft solver find new ones.
  */
 static void loads_clear(const cn_world *world, const cni_island *i)
 {
@@ -392,6 +393,8 @@ static void list_update(cn_world *world, float h)
 			direct_list(world)[kept++] = island;
 			continue;
 		}
+		if (!island_is_still(world, i))
+			loads_clear(world, i);
 		i->tier = CNI_TIER_SOFT;
 		i->reason = i->good_steps > CNI_SELECTION_STAY_MAX ? CN_TIER_REASON_WORK : CN_TIER_REASON_NONE;
 		if (i->solver == CN_SOLVER_SOFT)

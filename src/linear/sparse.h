@@ -72,8 +72,7 @@ typedef struct cni_component {
 	int32_t uses_rattle;           /* 1: direct/rattle.c takes the bodies' whole step */
 	int32_t done;                  /* 1: finished for this step */
 	int32_t has_contacts;          /* 1: with contacts, see direct/direct_contacts.c */
-	int32_t cone_ran;              /* ... 1: direct/friction_cones.c ran in this step */
-	int32_t cone_pushed;           /* ... 1: ... in the pass with bias of this substep */
+	int32_t cone_pushed;           /* ... 1: direct/friction_cones.c ran in the pass with bias of this substep */
 	int32_t denied;                /* ... 1: ... did not run, for the work of other components in this step */
 	int32_t nothing_pushed;        /* ... 1: no contact was pushed in this substep */
 	int32_t factored;              /* ... 1: the pivots belong to the present levers */

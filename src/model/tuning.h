@@ -41,7 +41,7 @@ CNI_TUNING_FLOAT(CNI_BOX_MARGIN_PART, 0.1f)
 /* Part of the mobility without locked axes. Locked axes that leave less along a direction leave none: a body pushed nearly across its
    free axis by an obstacle that does not yield would have to escape along it at a hundred times the speed. */
 CNI_TUNING_FLOAT(CNI_MOBILITY_LEAST_PART, 1e-4f)
-/* Radians. CN_SOLVER_SOFT: the normal of a lane with two points lags until the true one has turned by more; see model/world.h, where the
+/* Radians. CN_SOLVER_AUTO and _SOFT: the normal of a lane with two points lags until the true one has turned by more; see model/world.h, where the
    fallen stacks at 0, 0.01, 0.03, 0.1 and 0.2 are listed. */
 CNI_TUNING_FLOAT(CNI_NORMAL_LAG, 0.1f)
 /* rad/s. Lanes whose bodies turn faster use the true normal. A stack that begins to lean is slower; as many stand with a tenth of it. */

@@ -199,7 +199,7 @@ struct cn_world {
 /* ---- records by index ---- */
 
 /*
- * CN_SOLVER_SOFT: between bodies that hardly turn, the normal along which a lane of two points pushes stays as it is until the true
+ * CN_SOLVER_SOFT and CN_SOLVER_AUTO: between bodies that hardly turn, the normal along which a lane of two points pushes stays as it is until the true
  * one, which turns with them, has turned by more than this from it, in radians.
  *
  * Soft contacts give way, so a stack leans, and forces along turned normals push it farther: like a column it buckles under
@@ -211,13 +211,14 @@ struct cn_world {
  * 0.01, 7 and 8 with 0.03, 7 and 4 with 0.1, as with 0.2. What turns faster than CNI_NORMAL_LAG_SPIN does so by itself, and has the true
  * normal: a stack that begins to lean is slower, and as many stand with a tenth of it.
  *
- * The other solvers know the loads of a pile and solve directly what leans: their normals are the true ones.
+ * CN_SOLVER_AUTO solves directly what leans, but not what moves, bounces or finds no set of contacts. Such towers, pushed at the top, swayed more
+ * and more with loads along true normals: of 36 towers of 8 to 14 boxes 7 fell (with restitution 16), none (1) with normals that lag.
  */
 
 /* Square of the largest difference of two normals; negative: normals do not lag. */
 static inline float cni_normal_lag_sq(const cn_world *world)
 {
-	return world->settings.solver == CN_SOLVER_SOFT && CNI_ON(NORMAL_LAG) ? CNI_NORMAL_LAG * CNI_NORMAL_LAG : -1.0f;
+	return (world->settings.solver == CN_SOLVER_AUTO || world->settings.solver == CN_SOLVER_SOFT) && CNI_ON(NORMAL_LAG) ? CNI_NORMAL_LAG * CNI_NORMAL_LAG : -1.0f;
 }
 
 static inline cni_body *cni_body_at(const cn_world *world, int32_t body) { return (cni_body *)cni_table_at_sized(&world->bodies, body, sizeof(cni_body), CNI_PAGE_BODIES); }

@@ -21,10 +21,10 @@ static const arch_scene arch_scenes[ARCH_SCENES] = {
 	{ "shapes", scene_shapes, 0xbcb0b7b1f1d881c4 },
 	{ "joints", scene_joints, 0xe6615275ba0957bb },
 	{ "direct", scene_direct, 0x2fc21162e141a88b },
-	{ "tiers", scene_tiers, 0x337213a44431c420 },
+	{ "tiers", scene_tiers, 0x7c36f330c0e39b8f },
 	{ "sequential", scene_sequential, 0x6bc77927e99d3264 },
-	{ "queries", scene_queries, 0xe00b5fc452e92bec },
-	{ "events", scene_events, 0x730836a2e1150def },
+	{ "queries", scene_queries, 0x9c2fbb37ad6351c2 },
+	{ "events", scene_events, 0xa3d957429774d9f7 },
 	{ "file", scene_file, 0xd03685e73f95d137 },
 };
 

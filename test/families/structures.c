@@ -120,11 +120,61 @@ static void build_disc_pyramid(scene *s)
 			add_disc(s, CN_BODY_DYNAMIC, radius * (double)(2 * k + i + 1) - edge, radius * (1.0 + sqrt(3.0) * (double)i), radius);
 }
 
+/* 1 to 4 towers of 4 to 14 boxes, whose tops are pushed at 0.1 to 0.6 m/s: they sway, and come to rest. A third of them bounces (restitution
+   0.1 to 0.9). 15 s: what sways more and more falls late. */
+static void build_pushed_tower(scene *s)
+{
+	int32_t towers = pick_int(s, 1, 4), kind = pick_int(s, 0, 5), tower, k;
+	s->seconds = 15.0;
+	s->friction = 0.6;
+	s->restitution = kind < 2 ? pick(s, 0.1, 0.9) : 0.0;
+	add_floor(s);
+	for (tower = 0; tower < towers; ++tower) {
+		int32_t boxes = pick_int(s, 4, 14), top = 0;
+		double half_x = pick(s, 0.2, 0.45), half_y = half_x * pick(s, 0.5, 1.0), push = pick(s, 0.1, 0.6), y = 0.0;
+		for (k = 0; k < boxes; ++k) {
+			double lean = pick(s, -0.02, 0.02);
+			top = add_box(s, CN_BODY_DYNAMIC, 5.0 * (double)tower + lean, y + half_y, 0.0, half_x, half_y);
+			y += 2.0 * half_y;
+		}
+		set_velocity(s, top, push, 0.0, 0.0);
+	}
+}
+
+/* Houses of 1 to 4 floors whose cards, 1 x 0.04 to 0.08, stand in the corners of boards that just cover them; they lean at 0.25 to 0.42 rad and
+   begin with overlaps of a millimetre. 1 to 5 houses; friction 0.6 to 1. */
+static void build_card_houses(scene *s)
+{
+	int32_t houses = pick_int(s, 1, 5), floors = pick_int(s, 1, 4), house, floor_index, k;
+	double thin = pick(s, 0.02, 0.04), lean = pick(s, 0.25, 0.42), half_card = 0.5;
+	double high = half_card * cos(lean) + thin * sin(lean), wide = 2.0 * (half_card * sin(lean) + thin * cos(lean));
+	s->seconds = 6.0;
+	s->friction = pick(s, 0.6, 1.0);
+	add_floor(s);
+	for (house = 0; house < houses; ++house) {
+		double y = 0.0;
+		for (floor_index = 0; floor_index < floors; ++floor_index) {
+			int32_t pairs = floors - floor_index;
+			for (k = 0; k < pairs; ++k) {
+				double x = 6.0 * (double)house + 2.0 * wide * ((double)k - 0.5 * (double)(pairs - 1));
+				add_box(s, CN_BODY_DYNAMIC, x - 0.501 * wide, y + high, -lean, thin, half_card);
+				add_box(s, CN_BODY_DYNAMIC, x + 0.501 * wide, y + high, lean, thin, half_card);
+			}
+			y += 2.0 * high;
+			for (k = 0; k + 1 < pairs; ++k)
+				add_box(s, CN_BODY_DYNAMIC, 6.0 * (double)house + 2.0 * wide * ((double)k - 0.5 * (double)(pairs - 2)), y + thin, 0.0, wide, thin);
+			y += 2.0 * thin;
+		}
+	}
+}
+
 const family structure_families[] = {
 	{ "arch", build_arch, SCENE_STANDS },
 	{ "wall", build_wall, SCENE_STANDS },
 	{ "card_house", build_card_house, SCENE_STANDS },
 	{ "tower", build_tower, SCENE_STANDS },
 	{ "disc_pyramid", build_disc_pyramid, SCENE_STANDS },
+	{ "pushed_tower", build_pushed_tower, SCENE_STANDS },
+	{ "card_houses", build_card_houses, SCENE_STANDS },
 };
 const int32_t structure_family_count = FAMILY_COUNT(structure_families);

@@ -431,7 +431,7 @@ static void sleepers_do_not_change_what_moves(void)
 	int32_t step, different = 0, islands = 0, slept = 0;
 	crowd_begin(&alone, 0);
 	crowd_begin(&beside, PILES);
-	for (step = 0; step < 900; ++step) {
+	for (step = 0; step < 1000; ++step) {
 		fixture_step(alone.world, 1);
 		fixture_step(beside.world, 1);
 		different += crowd_differs(&alone, &beside);
