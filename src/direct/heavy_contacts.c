@@ -154,10 +154,12 @@ static void responses_find(cn_world *world, const cni_solve *s, cni_sparse *spar
 /* ---- which contacts ---- */
 
 /* 1: it bears more than a few weights, or it bears nothing and its points may meet in this step. With a static body only extreme loads count,
-   as those of a rope that carries 2,000 links over a peg, and impacts: the heavy end of a lever follows when its light arm hits the ground. */
-static int32_t is_pressed(const cn_world *world, const cni_solve *s, const cni_contact *c, int32_t contact, int32_t fixed)
+   as those of a rope that carries 2,000 links over a peg, and impacts: the heavy end of a lever follows when its light arm hits the ground.
+   Of a slow component all contacts count alike: it is to come to rest. */
+static int32_t is_pressed(const cn_world *world, const cni_solve *s, const cni_contact *c, int32_t contact, int32_t fixed, int32_t slow)
 {
-	float speed = (fixed ? CNI_HEAVY_STATIC_STRESS : CNI_HEAVY_CONTACT_STRESS) * cni_length(world->settings.gravity) * s->h;
+	float stress = slow ? CNI_HEAVY_SLOW_STRESS : fixed ? CNI_HEAVY_STATIC_STRESS : CNI_HEAVY_CONTACT_STRESS;
+	float speed = stress * cni_length(world->settings.gravity) * s->h;
 	changes d = changes_begin(world, contact);
 	const cni_motion *a = cni_motions(world) + d.ia, *b = cni_motions(world) + d.ib;
 	cni_direct_contact p;
@@ -170,7 +172,7 @@ static int32_t is_pressed(const cn_world *world, const cni_solve *s, const cni_c
 		if (p.mass[k] <= 0.0f || p.j[k] > 0.0f)
 			continue;
 		closing = row_speed(&p, k, a, b);
-		if ((!fixed || closing < s->contact[0].impact_speed) && cni_direct_contact_separation(&p, k, a, b) + s->dt * closing < world->settings.slop)
+		if ((!fixed || slow || closing < s->contact[0].impact_speed) && cni_direct_contact_separation(&p, k, a, b) + s->dt * closing < world->settings.slop)
 			return 1;
 	}
 	return 0;
@@ -187,7 +189,7 @@ static float ratio_of(const cni_sparse *sparse, const cni_component *c)
 	return 1.0f;
 }
 
-static void body_contacts_list(const cn_world *world, const cni_solve *s, cni_sparse *sparse, int32_t component, int32_t index, float ratio, int32_t most)
+static void body_contacts_list(const cn_world *world, const cni_solve *s, cni_sparse *sparse, int32_t component, int32_t index, float ratio, int32_t most, int32_t slow)
 {
 	const cni_body *b = cni_body_at(world, cni_awake_ids(world)[index]);
 	int32_t key, left = b->lanes;
@@ -199,17 +201,21 @@ static void body_contacts_list(const cn_world *world, const cni_solve *s, cni_sp
 		--left;
 		if (ratio * other->inv_mass >= cni_motions(world)[index].inv_mass)
 			continue;
-		if (!cni_direct_lane_is_plain(world, c) || !is_pressed(world, s, c, key >> 1, other->inv_mass == 0.0f))
+		if (!cni_direct_lane_is_plain(world, c) || !is_pressed(world, s, c, key >> 1, other->inv_mass == 0.0f, slow))
 			continue;
 		sparse->heavies[sparse->heavy_count].component = component;
 		sparse->heavies[sparse->heavy_count++].contact = key >> 1;
 	}
 }
 
+static int32_t blocks_of(const cni_sparse *sparse, const cni_component *c)
+{
+	return sparse->first[c->end] - sparse->first[c->begin] + c->end - c->begin;
+}
+
 int32_t cni_heavy_contacts_most(const cni_sparse *sparse, const cni_component *c)
 {
-	int32_t blocks = sparse->first[c->end] - sparse->first[c->begin] + c->end - c->begin;
-	return CNI_HEAVY_CONTACT_BLOCKS / cni_max_i(blocks, 1);
+	return CNI_HEAVY_CONTACT_BLOCKS / cni_max_i(blocks_of(sparse, c), 1);
 }
 
 /* 1: one of its joints may break. It bears at most its threshold, which is known after the step only: a ball would bounce off a wall of
@@ -225,19 +231,35 @@ static int32_t may_break(const cn_world *world, const cni_sparse *sparse, const 
 	return 0;
 }
 
+/* 1: no body of the component is faster than CNI_HEAVY_SLOW_SPEED, and it has few blocks or could be in no batch. */
+static int32_t is_slow(const cn_world *world, const cni_sparse *sparse, const cni_component *c, int32_t is_batchable)
+{
+	float most = CNI_HEAVY_SLOW_SPEED * world->settings.length_unit;
+	int32_t k;
+	if (is_batchable && blocks_of(sparse, c) > CNI_HEAVY_SLOW_BLOCKS)
+		return 0;
+	for (k = c->body_begin; k < c->body_end; ++k) {
+		const cni_motion *m = cni_motions(world) + sparse->bodies[k];
+		if (m->vx * m->vx + m->vy * m->vy > most * most)
+			return 0;
+	}
+	return 1;
+}
+
 int32_t cni_heavy_contacts_list(const cn_world *world, const cni_solve *s, cni_sparse *sparse, int32_t component)
 {
 	const cni_component *c = &sparse->components[component];
-	int32_t k, first = sparse->heavy_count, most;
+	int32_t k, first = sparse->heavy_count, most, slow;
 	float ratio;
 	if (!CNI_ON(HEAVY_CONTACTS))
 		return 0;
 	if (!CNI_ON(JOINT_PROJECTION) || c->has_contacts || !cni_component_is_touched(world, sparse, c) || may_break(world, sparse, c))
 		return 0;
 	ratio = ratio_of(sparse, c);
+	slow = is_slow(world, sparse, c, ratio != 1.0f);
 	most = cni_min_i(first + cni_heavy_contacts_most(sparse, c), CNI_HEAVY_CONTACTS_MOST);
 	for (k = c->body_begin; k < c->body_end; ++k)
-		body_contacts_list(world, s, sparse, component, sparse->bodies[k], ratio, most);
+		body_contacts_list(world, s, sparse, component, sparse->bodies[k], ratio, most, slow);
 	return sparse->heavy_count > first;
 }
 

