@@ -172,6 +172,8 @@ uint64_t cni_sparse_bytes(int32_t count, int32_t body_count, int64_t work_most);
 uint64_t cni_sparse_kept_bytes(int32_t count, int64_t work_most);
 /* Computes pivots and blocks from the levers of the component's nodes. */
 void cni_sparse_factor(cni_sparse *sparse, const cni_component *c, const cni_motion *motions);
+/* After it: 1 if elimination has left of some row no more than this part of its diagonal, so that others nearly say the same. */
+int32_t cni_sparse_is_redundant(const cni_sparse *s, const cni_component *c, float part);
 /* Replaces the right hand sides in the nodes' x by the solution. 0: some x is not finite, because floats cannot hold these
    masses or lever arms together; the caller must discard the solution. */
 int32_t cni_sparse_solve(cni_sparse *sparse, const cni_component *c);

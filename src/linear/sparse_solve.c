@@ -263,6 +263,19 @@ void cni_sparse_factor(cni_sparse *s, const cni_component *c, const cni_motion *
 		factor(s, c, motions, 3);
 }
 
+int32_t cni_sparse_is_redundant(const cni_sparse *s, const cni_component *c, float part)
+{
+	region r = region_of(s, c);
+	int32_t k, i;
+	for (k = c->begin; k < c->end; ++k)
+		for (i = 0; i < s->nodes[k].rows; ++i) {
+			float inverse = pivot_at(&r, k, c->width)[diagonal_at(i, c->width)];
+			if (inverse == 0.0f || part * s->nodes[k].diagonal[i] * inverse > 1.0f)
+				return 1;
+		}
+	return 0;
+}
+
 /* ---- solution ---- */
 
 /* block^T y: its columns times y. */

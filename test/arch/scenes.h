@@ -21,7 +21,7 @@ static const arch_scene arch_scenes[ARCH_SCENES] = {
 	{ "shapes", scene_shapes, 0xbcb0b7b1f1d881c4 },
 	{ "joints", scene_joints, 0xe6615275ba0957bb },
 	{ "direct", scene_direct, 0x0ff356e57fdb49ac },
-	{ "tiers", scene_tiers, 0x7c36f330c0e39b8f },
+	{ "tiers", scene_tiers, 0x2c313c62ed86e657 },
 	{ "sequential", scene_sequential, 0x6bc77927e99d3264 },
 	{ "queries", scene_queries, 0x9c2fbb37ad6351c2 },
 	{ "events", scene_events, 0xd0d258cb60a38a04 },
