@@ -168,10 +168,14 @@ static int32_t is_torn(const cn_world *world, const cni_sparse *sparse, const cn
    across it by a hair: RATTLE divides by what is left of them. A loop that flies freely turns at rest in itself, and stays with RATTLE. */
 static int32_t is_redundant(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c)
 {
+	int32_t width = c->width, redundant;
 	if (!c->loops || joints_to_fixed(world, sparse, c) == 0)
 		return 0;
 	cni_direct_begin(world, s, sparse, c);
-	return cni_sparse_is_redundant(sparse, c, CNI_RATTLE_REDUNDANT);
+	redundant = cni_sparse_is_redundant(sparse, c, CNI_RATTLE_REDUNDANT);
+	c->active = 0; /* RATTLE has no active set */
+	c->width = width;
+	return redundant;
 }
 
 /* One joint to the world. */
