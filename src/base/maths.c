@@ -54,6 +54,17 @@ static uint64_t two_over_pi_bits(int32_t start)
 	return both << (start & 31) >> 32;
 }
 
+/* (float)x, rounded alike: compilers for processors without doubles convert 64 bits by functions on doubles, 5 kB of code. */
+static float float_of(uint64_t x)
+{
+	float scale = 4294967296.0f;
+	if (x == 0)
+		return 0.0f;
+	for (; x >> 63 == 0; x <<= 1)
+		scale *= 0.5f;
+	return (float)((uint32_t)(x >> 32) | (uint32_t)((uint32_t)x != 0)) * scale; /* the last bit stands for all below */
+}
+
 /* |x| = m 2^e. Skips the bits of 2/pi that contribute whole turns to m 2^e 2/pi. The product's two bits before the point are
    then the quarter, the bits after it the rest. Defined for any bits of x. */
 static uint32_t reduce_large(float x, float *rest_rad)
@@ -75,7 +86,7 @@ static uint32_t reduce_large(float x, float *rest_rad)
 	k = (fixed + quarter / 2) >> 62;
 	fixed -= k << 62;
 	/* 2^-62 pi/2, on the magnitude of the two's complement rest. */
-	rest = (float)(fixed >> 63 ? 0 - fixed : fixed) * 3.40612158e-19f;
+	rest = float_of(fixed >> 63 ? 0 - fixed : fixed) * 3.40612158e-19f;
 	if (fixed >> 63)
 		rest = -rest;
 	*rest_rad = bits >> 31 ? -rest : rest;

@@ -218,7 +218,7 @@ struct cn_world {
 /* Square of the largest difference of two normals; negative: normals do not lag. */
 static inline float cni_normal_lag_sq(const cn_world *world)
 {
-	return (world->settings.solver == CN_SOLVER_AUTO || world->settings.solver == CN_SOLVER_SOFT) && CNI_ON(NORMAL_LAG) ? CNI_NORMAL_LAG * CNI_NORMAL_LAG : -1.0f;
+	return world->settings.solver <= CN_SOLVER_SOFT && CNI_ON(NORMAL_LAG) ? CNI_NORMAL_LAG * CNI_NORMAL_LAG : -1.0f;
 }
 
 static inline cni_body *cni_body_at(const cn_world *world, int32_t body) { return (cni_body *)cni_table_at_sized(&world->bodies, body, sizeof(cni_body), CNI_PAGE_BODIES); }

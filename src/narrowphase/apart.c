@@ -11,7 +11,7 @@
  *
  * Reads contacts, bodies, boxes, geometry.
  */
-#include "narrowphase/touch.h"
+#include "narrowphase/cull.h"
 
 /* Least height of the shape's corners over its body's centre of mass along n. */
 CNI_INLINE float lowest_along(const cni_body *b, const cni_geometry *g, cni_vec2 n)
@@ -34,7 +34,7 @@ CNI_INLINE float turn_of(const cni_body *a, const cni_body *b)
 /* The face that separated the pair last. */
 CNI_INLINE int32_t face_separates(const cn_world *world, const cni_touch_pair *p, float dt)
 {
-	int32_t axis = (int32_t)p->contact->cache.axis - 1, side = axis >= CN_POLYGON_MAX_VERTICES, edge = axis & (CN_POLYGON_MAX_VERTICES - 1);
+	int32_t axis = (int32_t)p->contact->cache.axis - 1, side = axis >= CN_POLYGON_MAX_VERTICES, edge = axis - CN_POLYGON_MAX_VERTICES * side;
 	const cni_body *f = p->body[side], *o = p->body[1 - side];
 	const cni_geometry *face = cni_proxy_geometry(&world->blocks, p->proxy[side]), *other = cni_proxy_geometry(&world->blocks, p->proxy[1 - side]);
 	cni_vec2 normal, n;
@@ -72,5 +72,7 @@ int32_t cni_pair_stays_apart(const cn_world *world, const cni_touch_pair *p, flo
 {
 	if (!cni_aabb_overlap(&p->proxy[0]->fat, &p->proxy[1]->fat))
 		return 0;
-	return p->contact->cache.axis != 0 ? face_separates(world, p, dt) : circle_is_far(world, p, dt);
+	if (p->contact->cache.axis != 0)
+		return face_separates(world, p, dt);
+	return CNI_CULL_LOOKS_AHEAD && circle_is_far(world, p, dt);
 }
