@@ -164,18 +164,21 @@ static int32_t is_torn(const cn_world *world, const cni_sparse *sparse, const cn
 	return 0;
 }
 
-/* Joints that say nearly the same, as those of coupled wheels on fixed axles, or of a straight bridge, whose planks no joint keeps from moving
-   across it by a hair: RATTLE divides by what is left of them. A loop that flies freely turns at rest in itself, and stays with RATTLE. */
-static int32_t is_redundant(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c)
+/* RATTLE, or the passes of a substep where joints to fixed bodies say nearly the same, as those of coupled wheels on fixed axles, or of a
+   straight bridge, whose planks no joint keeps from moving across it by a hair: RATTLE divides by what is left of them. A loop that flies
+   freely turns at rest in itself, and stays with RATTLE. */
+static void rattle_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c)
 {
-	int32_t width = c->width, redundant;
-	if (!c->loops || joints_to_fixed(world, sparse, c) == 0)
-		return 0;
-	cni_direct_begin(world, s, sparse, c);
-	redundant = cni_sparse_is_redundant(sparse, c, CNI_RATTLE_REDUNDANT);
-	c->active = 0; /* RATTLE has no active set */
-	c->width = width;
-	return redundant;
+	int32_t width = c->width;
+	if (c->loops && joints_to_fixed(world, sparse, c) > 0) {
+		cni_direct_begin(world, s, sparse, c);
+		c->uses_rattle = !cni_sparse_is_redundant(sparse, c, CNI_RATTLE_REDUNDANT);
+		if (!c->uses_rattle)
+			return;
+		c->active = 0; /* RATTLE has no active set */
+		c->width = width;
+	}
+	cni_sparse_clear(sparse, c);
 }
 
 /* One joint to the world. */
@@ -208,7 +211,7 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 		if (far && k + 1 < out->component_count)
 			cni_component_prefetch(world, out, k + 1);
 		c->regular = c->has_contacts ? CNI_REGULARIZATION_CONTACTS : c->loops ? CNI_REGULARIZATION_LOOPS : 0.0f;
-		c->uses_rattle = CNI_ON(RATTLE) && !c->has_contacts && cni_component_uses_rattle(world, s, out, c) && !is_redundant(world, s, out, c);
+		c->uses_rattle = CNI_ON(RATTLE) && !c->has_contacts && cni_component_uses_rattle(world, s, out, c);
 		if (is_torn(world, out, c)) {
 			impulses_soften(world, s, out, c);
 			cni_component_release(world, out, c);
@@ -218,7 +221,7 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 		} else if (c->body_begin == c->body_end || is_better_alone(c))
 			cni_component_release(world, out, c);
 		else if (c->uses_rattle)
-			cni_sparse_clear(out, c);
+			rattle_begin(world, s, out, c);
 		else if (!(c->batches = !cni_heavy_contacts_list(world, s, out, k) && CNI_ON(TREE_BATCHES) && cni_component_is_batched(world, s, out, c))) {
 			c->kind = CNI_NONE;
 			cni_direct_begin(world, s, out, c);

@@ -27,7 +27,7 @@
  *
  * The number of substeps follows the geometric stiffness up to a limit; dampers do the rest: direct/geometric_stiffness.c.
  *
- * Loops with redundant joints are not for RATTLE: is_redundant in direct/direct_joints.c.
+ * Loops with redundant joints are not for RATTLE: rattle_begin in direct/direct_joints.c.
  *
  * Reads joint constraints, externals, motion; writes motion, start, rows and flags of joint constraints, flags of externals.
  */

@@ -191,7 +191,7 @@ CNI_TUNING_FLOAT(CNI_HEAVY_CONTACT_STRESS, 10.0f)
 CNI_TUNING_FLOAT(CNI_HEAVY_STATIC_STRESS, 300.0f)
 /* The same, with any body, of a component in which no body is faster than CNI_HEAVY_SLOW_SPEED (length units a second). A light foot under a
    frame is an oscillator that the kernel, which knows the foot's mass alone, does not damp: of 320 tables, cars, frames and linkages set down
-   102 still moved after 20 s, 19 with this. */
+   102 still moved after 20 s, 22 with this. */
 CNI_TUNING_FLOAT(CNI_HEAVY_SLOW_STRESS, 3.0f)
 CNI_TUNING_FLOAT(CNI_HEAVY_SLOW_SPEED, 1.0f)
 /* Blocks of the system of a component that leaves a batch for that, at most: ragdolls on hills would take 1.75 times as long. */

@@ -31,7 +31,7 @@ CNI_INLINE float turn_of(const cni_body *a, const cni_body *b)
 	return cni_abs(a->w) * cni_body_turn_reach(a) + cni_abs(b->w) * cni_body_turn_reach(b);
 }
 
-/* The face that separated the pair last. */
+/* The face that separated the pair last: cache.axis is not 0. */
 CNI_INLINE int32_t face_separates(const cn_world *world, const cni_touch_pair *p, float dt)
 {
 	int32_t axis = (int32_t)p->contact->cache.axis - 1, side = axis >= CN_POLYGON_MAX_VERTICES, edge = axis - CN_POLYGON_MAX_VERTICES * side;
@@ -39,7 +39,7 @@ CNI_INLINE int32_t face_separates(const cn_world *world, const cni_touch_pair *p
 	const cni_geometry *face = cni_proxy_geometry(&world->blocks, p->proxy[side]), *other = cni_proxy_geometry(&world->blocks, p->proxy[1 - side]);
 	cni_vec2 normal, n;
 	float height, closing;
-	if (axis < 0 || edge >= face->count)
+	if (edge >= face->count)
 		return 0;
 	normal = cni_geometry_normals(face)[edge];
 	n = cni_rotate(f->q, normal);
