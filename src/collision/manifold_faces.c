@@ -35,14 +35,6 @@ static cni_faces faces_moved(cni_faces f, cni_transform transform, cni_faces_sto
 	return moved;
 }
 
-static inline float points_lowest(const cni_vec2 *points, int32_t count, cni_vec2 direction)
-{
-	float low = cni_dot(direction, points[0]);
-	for (int32_t i = 1; i < count; ++i)
-		low = cni_min(cni_dot(direction, points[i]), low);
-	return low;
-}
-
 /* Two boxes: computes the four faces side by side, which compilers vectorize. */
 static float boxes_best(const cni_faces *reference, const cni_faces *other, int32_t *out_edge)
 {
@@ -79,7 +71,7 @@ static float faces_best(const cni_faces *reference, const cni_faces *other, int3
 	int32_t edge = 0;
 	for (int32_t i = 0; i < reference->count; ++i) {
 		cni_vec2 n = reference->normals[i];
-		float separation = points_lowest(other->points, other->count, n) - cni_dot(n, reference->points[i]);
+		float separation = cni_points_lowest(other->points, other->count, n) - cni_dot(n, reference->points[i]);
 		edge = separation > best ? i : edge;
 		best = cni_max(separation, best);
 	}
@@ -241,8 +233,8 @@ static int32_t feature_of(const int32_t index[2], int32_t count)
 /* 1 when no point of either skeleton reaches into the gap between the two closest points by more than error. */
 static int32_t closest_holds(const cni_faces *a, const cni_faces *b, const cni_closest *c, float error)
 {
-	float reach_a = -points_lowest(a->points, a->count, cni_neg(c->normal));
-	float reach_b = points_lowest(b->points, b->count, c->normal);
+	float reach_a = -cni_points_lowest(a->points, a->count, cni_neg(c->normal));
+	float reach_b = cni_points_lowest(b->points, b->count, c->normal);
 	return reach_a - cni_dot(c->normal, c->point_a) <= error && cni_dot(c->normal, c->point_b) - reach_b <= error;
 }
 
@@ -400,14 +392,14 @@ static float cached_separation(const cni_faces *a, const cni_faces *b, cni_trans
 {
 	if (cached >= 1 && cached <= a->count) {
 		cni_vec2 n = a->normals[cached - 1];
-		float low = points_lowest(b->points, b->count, cni_unrotate(b_in_a.q, n));
+		float low = cni_points_lowest(b->points, b->count, cni_unrotate(b_in_a.q, n));
 		return low + cni_dot(n, cni_sub(b_in_a.t, a->points[cached - 1]));
 	}
 	if (cached > CN_POLYGON_MAX_VERTICES && cached <= CN_POLYGON_MAX_VERTICES + b->count) {
 		int32_t edge = cached - CN_POLYGON_MAX_VERTICES - 1;
 		cni_vec2 n = cni_rotate(b_in_a.q, b->normals[edge]);
 		float face = cni_dot(b->normals[edge], b->points[edge]);
-		return points_lowest(a->points, a->count, n) - (face + cni_dot(n, b_in_a.t));
+		return cni_points_lowest(a->points, a->count, n) - (face + cni_dot(n, b_in_a.t));
 	}
 	return -FLT_MAX;
 }

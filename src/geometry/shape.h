@@ -34,6 +34,16 @@ static inline int32_t cni_is_chain(int32_t type) { return CNI_HAS_CHAINS && type
 static inline const cni_vec2 *cni_geometry_points(const cni_geometry *g) { return (const cni_vec2 *)(const void *)(g + 1); }
 static inline const cni_vec2 *cni_geometry_normals(const cni_geometry *g) { return cni_geometry_points(g) + g->count; }
 
+/* Least height of the points along a direction. */
+static inline float cni_points_lowest(const cni_vec2 *points, int32_t count, cni_vec2 direction)
+{
+	float low = cni_dot(direction, points[0]);
+	int32_t i;
+	for (i = 1; i < count; ++i)
+		low = cni_min(cni_dot(direction, points[i]), low);
+	return low;
+}
+
 /* Bytes of a record. */
 int32_t cni_geometry_bytes(int32_t type, int32_t count);
 /* Number of broadphase boxes (children) of a shape: 1, or the chain's edge count. */

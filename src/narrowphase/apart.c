@@ -16,13 +16,8 @@
 /* Least height of the shape's corners over its body's centre of mass along n. */
 CNI_INLINE float lowest_along(const cni_body *b, const cni_geometry *g, cni_vec2 n)
 {
-	const cni_vec2 *points = cni_geometry_points(g);
 	cni_vec2 m = cni_unrotate(b->q, n);
-	float low = cni_dot(m, points[0]);
-	int32_t i;
-	for (i = 1; i < g->count; ++i)
-		low = cni_min(low, cni_dot(m, points[i]));
-	return low - cni_dot(m, b->local_center);
+	return cni_points_lowest(cni_geometry_points(g), g->count, m) - cni_dot(m, b->local_center);
 }
 
 /* How far turning moves the surfaces in a second. */
@@ -56,16 +51,16 @@ CNI_INLINE int32_t circle_is_far(const cn_world *world, const cni_touch_pair *p,
 	const cni_geometry *circle = cni_proxy_geometry(&world->blocks, p->proxy[0]), *other = cni_proxy_geometry(&world->blocks, p->proxy[1]);
 	int32_t child = cni_proxy_child(p->proxy[1]);
 	const cni_vec2 *points = cni_geometry_points(other) + child;
-	cni_vec2 center, edge, d;
-	float reach, part;
+	cni_vec2 center, start, edge, nearest;
+	float reach;
 	if (circle->count != 1 || (cni_is_chain(other->type) ? child + 1 >= other->count : other->count != 2))
 		return 0;
 	center = cni_rotate(a->q, cni_sub(cni_geometry_points(circle)[0], a->local_center));
 	edge = cni_rotate(b->q, cni_sub(points[1], points[0]));
-	d = cni_sub(center, cni_add(cni_body_a_to_b(a, b), cni_rotate(b->q, cni_sub(points[0], b->local_center))));
-	part = cni_clamp(cni_dot(d, edge) / cni_length_sq(edge), 0.0f, 1.0f);
+	start = cni_add(cni_body_a_to_b(a, b), cni_rotate(b->q, cni_sub(points[0], b->local_center)));
+	nearest = cni_madd(start, cni_segment_fraction(center, start, edge), edge);
 	reach = circle->radius + other->radius + world->settings.contact_margin + dt * (cni_length(cni_v(a->vx - b->vx, a->vy - b->vy)) + turn_of(a, b));
-	return cni_length_sq(cni_madd(d, -part, edge)) > reach * reach;
+	return cni_distance_sq(center, nearest) > reach * reach;
 }
 
 int32_t cni_pair_stays_apart(const cn_world *world, const cni_touch_pair *p, float dt)
