@@ -1005,7 +1005,8 @@ typedef struct cn_manifold_point {
 
 /* How two shapes touch. */
 typedef struct cn_manifold {
-	cn_vec2 normal;             /* unit, from shape a to shape b */
+	cn_vec2 normal;             /* unit, from shape a to shape b; impulses act along it. Between slow bodies it may differ from the faces'
+	                               by up to 0.1 rad, so that piles stand */
 	float friction_impulse_Ns;  /* of the last substep, on body b along (normal.y, -normal.x) */
 	int32_t point_count;        /* 0, 1 or 2 */
 	cn_manifold_point points[2]; /* the first point_count of them */

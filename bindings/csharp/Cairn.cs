@@ -601,7 +601,8 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_manifold
 	{
-		/// <summary>unit, from shape a to shape b</summary>
+		/// <summary>unit, from shape a to shape b; impulses act along it. Between slow bodies it may differ from the faces'
+		/// by up to 0.1 rad, so that piles stand</summary>
 		public cn_vec2 normal;
 		/// <summary>of the last substep, on body b along (normal.y, -normal.x)</summary>
 		public float friction_impulse_Ns;

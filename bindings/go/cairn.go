@@ -679,7 +679,8 @@ var _ [unsafe.Sizeof(ManifoldPoint{})]byte = [C.sizeof_cn_manifold_point]byte{}
 
 // Manifold: How two shapes touch.
 type Manifold struct {
-	// unit, from shape a to shape b
+	// unit, from shape a to shape b; impulses act along it. Between slow bodies it may differ from the faces' by
+	// up to 0.1 rad, so that piles stand
 	Normal Vec2
 	// of the last substep, on body b along (normal.y, -normal.x)
 	FrictionImpulseNs float32

@@ -597,7 +597,8 @@ export interface ManifoldPoint {
 
 /** How two shapes touch. */
 export interface Manifold {
-	/** unit, from shape a to shape b */
+	/** unit, from shape a to shape b; impulses act along it. Between slow bodies it may differ from the faces'
+	by up to 0.1 rad, so that piles stand */
 	normal: Vec2;
 	/** of the last substep, on body b along (normal.y, -normal.x) */
 	friction_impulse_Ns: number;

@@ -574,7 +574,7 @@ class cn_manifold(_c.Structure):
     """How two shapes touch."""
 
     _fields_ = [
-        ("normal", cn_vec2),  # unit, from shape a to shape b
+        ("normal", cn_vec2),  # unit, from shape a to shape b; impulses act along it. Between slow bodies it may differ from the faces' by up to 0.1 rad, so that piles stand
         ("friction_impulse_Ns", _c.c_float),  # of the last substep, on body b along (normal.y, -normal.x)
         ("point_count", _c.c_int32),  # 0, 1 or 2
         ("points", cn_manifold_point * 2),  # the first point_count of them

@@ -931,7 +931,8 @@ pub const cn_manifold_point = extern struct {
 
 /// How two shapes touch.
 pub const cn_manifold = extern struct {
-    /// unit, from shape a to shape b
+    /// unit, from shape a to shape b; impulses act along it. Between slow bodies it may differ from the
+    /// faces' by up to 0.1 rad, so that piles stand
     normal: cn_vec2,
     /// of the last substep, on body b along (normal.y, -normal.x)
     friction_impulse_Ns: f32,

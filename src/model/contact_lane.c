@@ -200,20 +200,20 @@ CNI_INLINE void anchor_write(cn_world *world, const cni_contact *c, const cni_co
 	cni_rot turn;
 	cni_vec2 n;
 	float centers;
+	anchor_write_kind(c, block->ib[l], info, l, points);
+	n = cni_unrotate(info->of_b >> l & 1u ? f->b->q : f->a->q, f->n);
+	anchor->x.nx[l] = n.x;
+	anchor->ny[l] = n.y;
 	if (gap != 0.0f || !may_be_reused(world, c, info, f)) {
 		cni_lane_invalidate(world, c->slot);
 		anchor->of.fresh.gap[l] = gap;
 		return;
 	}
-	anchor_write_kind(c, block->ib[l], info, l, points);
 	turn = cni_rot_between(f->a->q, f->b->q);
-	n = cni_unrotate(info->of_b >> l & 1u ? f->b->q : f->a->q, f->n);
 	centers = cni_dot(f->d, f->n);
 	info->anchored = (uint16_t)(info->anchored | 1u << l);
-	anchor->x.nx[l] = n.x;
 	if (block->ib[l] == 0)
 		anchor->x.body[l] = c->body[1 - ((c->flags & CNI_CONTACT_FLIPPED) != 0)];
-	anchor->ny[l] = n.y;
 	anchor->dt[l] = block->dt[l];
 	anchor->c[l] = turn.c;
 	anchor->s[l] = turn.s;
@@ -331,22 +331,34 @@ static float row_read(lane_rows rows, int32_t row)
 /* Row indices: see cni_contact_block. */
 enum { ROW_NX = 0, ROW_NY = 1, ROW_DT = 5, ROW_FA = 6, ROW_FB = 7, ROW_JT = 9, ROW_POINT = 10, ROW_POINT_COUNT = 6 };
 
+/* The true normal of a lane between awake bodies, which the lane's may lag behind (CNI_NORMAL_LAG). */
+static cni_vec2 lane_normal(const cn_world *world, const cni_contact *c)
+{
+	int32_t block = c->slot / CNI_LANES, l = c->slot % CNI_LANES;
+	const cni_contact_block *rows = cni_block_at(world, block);
+	const cni_block_anchor *anchor = cni_block_anchor_at(world, block);
+	uint32_t flipped = (c->flags & CNI_CONTACT_FLIPPED) != 0, of_b = cni_block_info_at(world, block)->of_b >> l & 1u;
+	if (rows->p[1].nm[l] == 0.0f || rows->ib[l] == 0 || cni_normal_lag_sq(world) < 0.0f)
+		return cni_v(rows->nx[l], rows->ny[l]);
+	return cni_rotate(cni_body_at(world, c->body[flipped ^ of_b])->q, cni_v(anchor->x.nx[l], anchor->ny[l]));
+}
+
 /* A lane describes the beginning of the step. The distance by which its anchors on the two bodies have separated since is the change of
-   separation along n; the point stays midway and moves by half of it. Turning is ignored. */
+   separation along n; the point stays midway and moves by half of it. Turning is ignored. Reported is the normal along which impulses act. */
 static void describe_manifold(const cn_world *world, const cni_contact *c, cn_manifold *out)
 {
 	int32_t flipped = (c->flags & CNI_CONTACT_FLIPPED) != 0, k;
 	lane_frame f;
 	lane_rows rows = lane_rows_of(world, c);
 	float radius = lane_radius(world, c, 0), gap = cni_contact_gap(world, c), moved_n, moved_t;
-	cni_vec2 n, t, middle;
-	n = cni_v(row_read(rows, ROW_NX), row_read(rows, ROW_NY));
+	cni_vec2 push = cni_v(row_read(rows, ROW_NX), row_read(rows, ROW_NY)), n, t, middle;
+	n = c->flags & CNI_CONTACT_ASLEEP ? push : lane_normal(world, c);
 	t = cni_right_perp(n);
 	f = frame_make(cni_body_at(world, c->body[0]), cni_body_at(world, c->body[1]), flipped, flipped ? cni_neg(n) : n);
 	moved_n = cni_dot(f.d, n) - (row_read(rows, ROW_FA) - row_read(rows, ROW_FB));
 	moved_t = cni_dot(f.d, t) - row_read(rows, ROW_DT);
 	middle = cni_madd(cni_madd(cni_v(f.a->cx, f.a->cy), 0.5f * moved_n, n), 0.5f * moved_t, t);
-	out->normal = flipped ? cni_neg(n) : n;
+	out->normal = flipped ? cni_neg(push) : push;
 	out->friction_impulse_Ns = row_read(rows, ROW_JT); /* n, t and the bodies all flip: the sign stays */
 	for (k = 0; k < 2; ++k) {
 		int32_t p = ROW_POINT + k * ROW_POINT_COUNT; /* at an s0 nm jn load */
@@ -422,14 +434,17 @@ static void sleep_to_extra(const cn_world *world, const cni_contact *c, const cn
 		cni_block_info_at(world, c->slot / CNI_LANES)->flags |= CNI_BLOCK_EXTRA;
 }
 
-/* Copies of a lane's rows and of what is beside them. */
+/* Copies of a lane's rows and of what is beside them. The normal is the true one: a pile at rest has leaned as far as it will. */
 static void lane_read(const cn_world *world, int32_t contact, cni_sleep_lane *s)
 {
 	const cni_contact *c = cni_contact_at(world, contact);
 	int32_t block = c->slot / CNI_LANES, l = c->slot % CNI_LANES, row;
 	const float *rows = (const float *)(const void *)cni_block_at(world, block) + l;
+	cni_vec2 n = lane_normal(world, c);
 	for (row = 0; row < CNI_SLEEP_ROWS; ++row)
 		s->rows[row] = rows[(row + 2) * CNI_LANES];
+	s->rows[ROW_NX] = n.x;
+	s->rows[ROW_NY] = n.y;
 	s->restitution = cni_block_info_at(world, block)->restitution[l];
 	extra_to_sleep(world, c, s);
 	s->contact = contact;

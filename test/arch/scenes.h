@@ -24,8 +24,8 @@ static const arch_scene arch_scenes[ARCH_SCENES] = {
 	{ "tiers", scene_tiers, 0x2c313c62ed86e657 },
 	{ "sequential", scene_sequential, 0x6bc77927e99d3264 },
 	{ "queries", scene_queries, 0x9c2fbb37ad6351c2 },
-	{ "events", scene_events, 0xd0d258cb60a38a04 },
-	{ "file", scene_file, 0x0908bb2cc17f72b5 },
+	{ "events", scene_events, 0x31a3d0c15ec3fba7 },
+	{ "file", scene_file, 0x33fa8f1e33f98338 },
 };
 
 /* The number of a scene; 0 if a call failed: arch_failed_line. */

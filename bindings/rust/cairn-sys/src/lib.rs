@@ -792,7 +792,8 @@ const _: () = assert!(core::mem::size_of::<cn_manifold_point>() == 20 || core::m
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct cn_manifold {
-    /// unit, from shape a to shape b
+    /// unit, from shape a to shape b; impulses act along it. Between slow bodies it may differ from the
+    /// faces' by up to 0.1 rad, so that piles stand
     pub normal: cn_vec2,
     /// of the last substep, on body b along (normal.y, -normal.x)
     pub friction_impulse_Ns: f32,
