@@ -14,7 +14,7 @@ cd "$(dirname "$0")/.." || exit 2
 folders='base geometry collision linear broadphase model contacts narrowphase joints direct step world query save' # the lowest first
 one_way=$folders
 closed='contacts narrowphase joints direct step world query save' # folders whose other headers are private
-public='contacts/contacts.h contacts/contact_pass.h narrowphase/narrowphase.h narrowphase/touch.h joints/joints.h joints/joint_type.h joints/joint_constraint.h joints/joint_pass.h joints/joint_kernel.h direct/direct.h step/step.h world/error.h'
+public='contacts/contacts.h contacts/contact_pass.h contacts/deep_lanes.h narrowphase/narrowphase.h narrowphase/touch.h joints/joints.h joints/joint_type.h joints/joint_constraint.h joints/joint_pass.h joints/joint_kernel.h direct/direct.h step/step.h world/error.h'
 build=${1:-build}
 status=0
 sources=$(find src -name '*.c' | sort | tr '\n' ' ')

@@ -26,6 +26,7 @@
 	X(SOFT_LOOPS)         /* loops of pins and rods that touch something are soft */ \
 	X(RETRY_DELAY)        /* delayed retry after a failed direct solution */ \
 	X(GRAVITY_PRELOAD)    /* gravity preload of new piles, top-down */ \
+	X(OVERLAP_PROJECTION) /* bodies at rest are moved out of overlaps */ \
 	X(COMPLIANCE_OFFSETS) /* soft contacts yield around a compliance offset */ \
 	X(ANGULAR_MOMENTUM)   /* angular momentum correction of free islands */ \
 	X(IMPACTS)            /* restitution; without it nothing bounces */ \
@@ -61,7 +62,7 @@ extern uint64_t cni_ablation_off; /* bits; written before the first step and nev
 #define CNI_MECHANISM_BIT(name) (UINT64_C(1) << CNI_MECHANISM_##name)
 #define CNI_NOT_PLAIN \
 	(CNI_MECHANISM_BIT(ANGULAR_MOMENTUM) | CNI_MECHANISM_BIT(SEAMS) | CNI_MECHANISM_BIT(SPECULATIVE_MISSES) | CNI_MECHANISM_BIT(MEETING_POSES) | \
-	 CNI_MECHANISM_BIT(EARLY_REST) | CNI_MECHANISM_BIT(MANIFOLD_REUSE) | CNI_MECHANISM_BIT(CULLING))
+	 CNI_MECHANISM_BIT(EARLY_REST) | CNI_MECHANISM_BIT(MANIFOLD_REUSE) | CNI_MECHANISM_BIT(CULLING) | CNI_MECHANISM_BIT(OVERLAP_PROJECTION))
 #define CNI_ON(name) ((CNI_NOT_PLAIN & CNI_MECHANISM_BIT(name)) == 0)
 #else
 #define CNI_ON(name) 1

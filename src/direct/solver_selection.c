@@ -27,14 +27,10 @@
  */
 #include "direct/direct.h"
 #include "contacts/contacts.h"
-#include "base/cpu.h"
+#include "contacts/deep_lanes.h"
 #include "direct/direct_contact.h"
 #include "model/solve.h"
-#if CNI_HAS_WIDE_4
-#define CNI_WIDTH 4
-#include "base/wide.h"
 #include "model/tuning.h"
-#endif
 
 #define ISLANDS_MOST 64        /* solved directly at the same time, of CN_SOLVER_AUTO */
 #define BLOCKS_AT_ONCE 8       /* whose memory is asked for */
@@ -236,21 +232,6 @@ static int32_t lane_reason(const cn_world *world, const lane_scan *q, const cni_
 	return deep > q->most ? CN_TIER_REASON_OVERLAP : CN_TIER_REASON_NEW_CONTACT;
 }
 
-/* Bit l: a point of lane l overlaps by more than most. Runs for every block. Lanes without a contact are zeros. */
-static uint32_t deep_lanes(const cni_contact_block *k, float most)
-{
-	uint32_t deep = 0;
-	int32_t l;
-#if CNI_HAS_WIDE_4
-	for (l = 0; l < CNI_LANES; l += 4)
-		deep |= cni_mask_bits(cni_wide_min(cni_wide_load(&k->p[0].s0[l]), cni_wide_load(&k->p[1].s0[l])) < cni_wide_of(-most)) << l;
-#else
-	for (l = 0; l < CNI_LANES; ++l)
-		deep |= (uint32_t)(cni_min(k->p[0].s0[l], k->p[1].s0[l]) < -most) << l;
-#endif
-	return deep;
-}
-
 /* 1: the island was found bad in this step and stays soft; more bad contacts change nothing. */
 static int32_t island_is_settled(const cn_world *world, int32_t island)
 {
@@ -333,7 +314,7 @@ static void lanes_check(cn_world *world, float h)
 		for (k = first; k < last; ++k) {
 			if (k + BLOCKS_AT_ONCE < count)
 				separations_prefetch(list[k + BLOCKS_AT_ONCE].rows);
-			lanes[k - first] = list[k].fresh | deep_lanes(list[k].rows, q.most);
+			lanes[k - first] = list[k].fresh | cni_deep_lanes(list[k].rows, q.most);
 			if (lanes[k - first] != 0)
 				CNI_PREFETCH(list[k].rows->ia);
 			if (list[k].fresh != 0)
@@ -464,7 +445,7 @@ static void solvers_gather(cn_world *world)
 			continue;
 		world->solvers_asked = 1;
 		if (i->solver != CN_SOLVER_SOFT)
-			i->solver = solver;
+			i->solver = (uint16_t)solver;
 	}
 }
 

@@ -77,6 +77,10 @@ static void tier_inherit(const cn_world *world, cni_island *to, const cni_island
 		if (to->tier == CNI_TIER_SOFT && from->tier == CNI_TIER_SOFT)
 			to->reason = from->reason;
 	}
+	if (from->projected_steps > to->projected_steps) {
+		to->projected_step = from->projected_step;
+		to->projected_steps = from->projected_steps;
+	}
 	if (from->stay_steps > to->stay_steps) {
 		to->stay_steps = from->stay_steps;
 		to->given_step = from->given_step;

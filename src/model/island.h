@@ -32,8 +32,8 @@ typedef struct cni_island {
 	uint32_t refused_step; /* step in which direct solving failed */
 	int32_t refused_steps; /* steps for which that counts, 0: never refused */
 	int32_t reason;        /* CN_TIER_REASON_ of its tier; of a soft island: why it was not selected when it last needed direct solving */
-	int32_t solver;        /* in the last step: CN_SOLVER_SOFT if a body requests it, else CN_SOLVER_DIRECT if one does */
-	int32_t joints_solver; /* likewise: CN_SOLVER_DIRECT if a joint requests it */
+	uint16_t solver;       /* in the last step: CN_SOLVER_SOFT if a body requests it, else CN_SOLVER_DIRECT if one does */
+	uint16_t joints_solver; /* likewise: CN_SOLVER_DIRECT if a joint requests it */
 	uint32_t new_step;     /* step + 1 in which a contact last got its first load */
 	int32_t new_contacts;  /* number of such contacts then */
 	uint32_t unheld_step;  /* step + 1 of its last failed gravity preload */
@@ -41,6 +41,8 @@ typedef struct cni_island {
 	int32_t cone_spent;    /* work per contact spent by that solver; it decays with every step: CNI_CONE_REFILL */
 	uint32_t cone_paid_step; /* step of that value */
 	uint32_t gives_step;   /* step + 1 in which, solved directly, it last moved at a contact */
+	uint32_t projected_step; /* step + 1 in which its overlaps were last projected (step/overlap_projection.c) ... */
+	int32_t projected_steps; /* ... and the number of such steps */
 	int32_t falls_steps;   /* ... and the number of consecutive steps in which it moved so fast that it falls */
 } cni_island;
 

@@ -51,6 +51,11 @@ CNI_TUNING_FLOAT(CNI_LOAD_RATE, 0.6f)
 /* Sleep delays for which a body has been slow when its loads no longer rise; see model/solve.h. Soft towers lean by 31 mm with 1, by 20 mm
    with 3 and by 11 mm with 8, and poured heaps come to rest the later. */
 CNI_TUNING_FLOAT(CNI_SETTLED_DELAYS, 3.0f)
+/* Slops. Still islands with deeper overlaps are projected, and so much overlap is left: see step/overlap_projection.c. */
+CNI_TUNING_FLOAT(CNI_OVERLAP_FROM, 0.5f)
+CNI_TUNING_FLOAT(CNI_OVERLAP_LEFT, 0.2f)
+/* Part of an overlap that a step projects, of at most a slop. */
+CNI_TUNING_FLOAT(CNI_OVERLAP_PART, 0.2f)
 /* Limit of the part by which they follow in a substep, times h stress^2; see model/solve.h. A pyramid of base 100 (stress 25) comes
    to rest at 0.1 and sways on at 0.3. */
 CNI_TUNING_FLOAT(CNI_LOAD_HEAVY, 0.1f)

@@ -165,7 +165,8 @@ struct cn_world {
 	uint32_t split_step;         /* no island is split before this step */
 
 	uint32_t joints_soft_step;   /* some joints are soft until this step: direct/rattle.c */
-	int32_t settled;             /* 1: at the end of the last step some body had been slow for the sleep delay */
+	uint16_t projects;           /* 1: the last step projected overlaps of some island: step/overlap_projection.c */
+	uint16_t settled;            /* 1: at the end of the last step some body had been slow for the sleep delay */
 	int32_t piles_new;           /* 1: in this step a contact got its first load */
 	int32_t piles_unheld;        /* 1: in the last step the gravity preload of some island failed */
 	int32_t solvers_asked;       /* 1: in the last step some awake island had a body or joint with its own solver */

@@ -29,7 +29,7 @@ static const cni_field settings_fields[] = {
 static const cni_field world_fields[] = {
 	W(step_count, WORD), W(user_data, LONG), W(step_dt, FLOAT), W(mean_dt, FLOAT), W(overridden, BIT), W(fixed_step, FLOAT), W(time_owed, FLOAT),
 	W(steps_max, COUNT), W(pairs_may_repeat, COUNT), W(seams_changed, BIT), W(seams_box, WORD), W(split_step, WORD), W(joints_soft_step, WORD),
-	W(settled, BIT), W(piles_new, BIT), W(piles_unheld, BIT), W(masses_estimated, COUNT), W(estimated, WORD), W(solvers_asked, BIT), W(direct_work, COUNT), W(direct_failed, BIT),
+	W(projects, HALF), W(settled, HALF), W(piles_new, BIT), W(piles_unheld, BIT), W(masses_estimated, COUNT), W(estimated, WORD), W(solvers_asked, BIT), W(direct_work, COUNT), W(direct_failed, BIT),
 	W(cone_work, COUNT), W(warnings, WORD), W(pairs_not_added, COUNT), W(bodies_stopped, WORD), W(events_not_reported, COUNT), W(stressed_joints, COUNT),
 	/* counted again by a file, settings and colours in chunks of their own */
 	V(settings), V(movable_count), V(awake_count), V(proxy_used), V(proxy_free), V(proxy_count), V(proxy_free_count), V(contact_used), V(contact_free),
@@ -139,9 +139,10 @@ static const cni_field joint_index_fields[] = { { 0, 1, CNI_FIELD_JOINT } };
 static const cni_field island_fields[] = {
 	N(first, BODY), N(last, BODY), N(count, COUNT), N(losses, COUNT), N(awake, BIT), N(next_free, DERIVED), N(rest_time, WORD), N(number, DERIVED),
 	N(numbered_step, DERIVED), N(limited_step, DERIVED), N(tier, BIT), N(good_steps, COUNT), N(stay_steps, COUNT), N(given_step, STAMP), N(looked_step, STAMP),
-	N(refused_step, STAMP), N(refused_steps, COUNT), N(reason, COUNT), N(solver, COUNT), N(joints_solver, COUNT), N(new_step, STAMP),
+	N(refused_step, STAMP), N(refused_steps, COUNT), N(reason, COUNT), N(solver, HALF), N(joints_solver, HALF), N(new_step, STAMP),
 	N(new_contacts, COUNT), N(unheld_step, STAMP), N(cone_step, STAMP), N(cone_spent, COUNT), N(cone_paid_step, STAMP), N(gives_step, STAMP),
-	N(falls_steps, COUNT), N(asked_step, STAMP), N(asked_steps, COUNT)
+	N(falls_steps, COUNT), N(asked_step, STAMP), N(asked_steps, COUNT), N(projected_step, STAMP),
+	N(projected_steps, COUNT)
 };
 static const cni_field island_index_fields[] = { { 0, 1, CNI_FIELD_ISLAND } };
 

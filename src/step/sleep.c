@@ -122,6 +122,8 @@ static rests rests_find(cn_world *world)
 		}
 		i = cni_island_at(world, b->island);
 		i->rest_time = cni_min(i->rest_time, b->sleep_time);
+		if (i->projected_step == world->step_count + 1u)
+			i->rest_time = 0.0f; /* step/overlap_projection.c */
 		if (CNI_HAS_DIRECT && cni_island_is_unsolved(i, world->step_count) && !is_still(world, b))
 			i->rest_time = 0.0f; /* it sags, and would fall asleep so before the next attempt to solve it */
 		if (i->losses == 0 || b->sleep_time < r.longest || b->sleep_time <= 0.0f || (r.split != CNI_NONE && b->sleep_time == r.longest))

@@ -8,5 +8,7 @@
 
 /* dt in seconds, 0 to 1; 0 updates contacts and events and moves nothing. */
 void cni_step(cn_world *world, float dt);
+/* Bytes of frame memory that the projection of overlaps takes. */
+uint64_t cni_project_overlaps_bytes(int32_t bodies, int32_t islands, int32_t contacts);
 
 #endif

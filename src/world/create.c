@@ -10,6 +10,7 @@
 #include "contacts/contacts.h"
 #include "joints/joint_pass.h"
 #include "linear/sparse.h"
+#include "step/step.h"
 #include "world/error.h"
 
 #include <string.h>
@@ -322,15 +323,17 @@ static int32_t islands_for(int32_t bodies)
 static uint64_t solver_bytes(const cn_world_def *d)
 {
 	uint64_t bytes = 0;
+	if (CNI_ON(OVERLAP_PROJECTION)) /* takes more than gravity preload */
+		bytes += cni_project_overlaps_bytes(d->body_capacity, islands_for(d->body_capacity), touching_of(d));
+	else if (CNI_HAS_DIRECT && d->solver == CN_SOLVER_AUTO)
+		bytes += cni_gravity_preload_bytes(d->body_capacity);
 	if (CNI_HAS_DIRECT)
 		bytes += cni_direct_bytes(d->solver, d->joint_capacity, d->contact_capacity, d->body_capacity);
-	if (CNI_HAS_DIRECT && d->solver == CN_SOLVER_AUTO)
-		bytes += cni_gravity_preload_bytes(d->body_capacity);
 	return bytes;
 }
 
 /* Bytes of the frame arena: the larger of the broadphase's pass over boxes, the list of new pairs, and the solver's scratch (direct
-   solving, rows, gravity preload), with the search of an island. */
+   solving, rows, gravity preload, projection of overlaps), with the search of an island. */
 static uint64_t arena_bytes(const cn_world_def *d)
 {
 	uint64_t box = cni_team_possible(d->worker_count, d->enqueue) ? 80u : 40u; /* workers also store their pairs */

@@ -24,8 +24,8 @@ static const arch_scene arch_scenes[ARCH_SCENES] = {
 	{ "tiers", scene_tiers, 0x2c313c62ed86e657 },
 	{ "sequential", scene_sequential, 0x6bc77927e99d3264 },
 	{ "queries", scene_queries, 0x9c2fbb37ad6351c2 },
-	{ "events", scene_events, 0x31a3d0c15ec3fba7 },
-	{ "file", scene_file, 0x33fa8f1e33f98338 },
+	{ "events", scene_events, 0x4f1607db554eca07 },
+	{ "file", scene_file, 0x30f5e5a5aa16659c },
 };
 
 /* The number of a scene; 0 if a call failed: arch_failed_line. */

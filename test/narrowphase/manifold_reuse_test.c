@@ -91,7 +91,7 @@ static int32_t follow_all(cn_world *world, int32_t *total)
  */
 #define OTHER_PART (1.0 / 250.0)
 #define SEPARATION_OF_CORNERS (2.0 * 1.25e-3)
-static const float shifts[] = { 0.02f, 0.0201f, 0.0203f, 0.0204f, 0.0211f, 0.0212f, 0.022f }; /* of one row of a pile against the next */
+static const float shifts[] = { 0.02f, 0.0201f, 0.0205f, 0.0204f, 0.0211f, 0.0212f, 0.022f }; /* of one row of a pile against the next */
 enum { PILES = sizeof shifts / sizeof shifts[0] };
 
 typedef struct worst {

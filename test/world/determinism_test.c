@@ -25,13 +25,13 @@ typedef struct golden {
 /* clang-format off */
 static const golden goldens[] = {
 	{ "falling_hinges", 480, 1, 0x77b02b12b7231510 },
-	{ "small_200", 300, 1, 0xf3743c2d4cc198f5 },
-	{ "small_50_sleep", 600, 1, 0xe6c5e8b6dd9e2b47 },
+	{ "small_200", 300, 1, 0x896a8cc205aecd7a },
+	{ "small_50_sleep", 600, 1, 0xda365271727b526e },
 	{ "dominoes", 400, 1, 0xfedb70cb054a3397 },
 	{ "ragdolls", 480, 1, 0xbb96b7ef96c96033 },
 	{ "bridge", 240, 1, 0x1a57f9f92777a8a6 },
 	{ "car", 400, 1, 0x35bbc78061653ee5 },
-	{ "mixer", 240, 1, 0xf7053e56ba26c857 },
+	{ "mixer", 240, 1, 0x8b9baf2a92db7676 },
 	{ "pyramid", 120, 0, 0x626ae7be38f40efa },
 	{ "rain", 150, 0, 0xbd48b22521a1db77 },
 	{ "tumbler_1000", 300, 0, 0x459dc7a0ffb067b5 },
