@@ -22,9 +22,8 @@
  */
 #include "narrowphase/narrowphase.h"
 #include "narrowphase/deep_bodies.h"
+#include "narrowphase/touch.h"
 #include "collision/distance.h"
-#include "collision/toi.h"
-#include "model/solve.h"
 #include "model/tuning.h"
 
 #include <float.h>
@@ -103,15 +102,10 @@ typedef struct clamp {
 	core_shape touching_core; /* ... the core that touches it */
 } clamp;
 
-static cni_path body_path(const cni_body *b, cni_vec2 from, float dpx, float dpy, float theta)
+/* The rest of the step's motion, relative to a point near the body. */
+static cni_path path_of(const cni_body *b, cni_vec2 from, const cni_motion *m)
 {
-	cni_path p;
-	p.start = cni_v((b->cx - from.x) + b->cx_low, (b->cy - from.y) + b->cy_low);
-	p.end = cni_v(p.start.x + dpx, p.start.y + dpy);
-	p.q = b->q;
-	p.turn = theta;
-	p.local_center = b->local_center;
-	return p;
+	return cni_body_path(b, from, cni_v(m->dpx, m->dpy), m->theta);
 }
 
 /* Computes core and reach. The radius that the core lost shortens the reach at every angle. */
@@ -129,11 +123,7 @@ static void core_begin(clamp *c, const cni_geometry *g)
 /* Most static shapes near a body lie outside the swept core. */
 static int32_t core_reaches(const clamp *c, const cni_aabb *box)
 {
-	cni_aabb near = *box;
-	near.x0 -= c->body->cx;
-	near.x1 -= c->body->cx;
-	near.y0 -= c->body->cy;
-	near.y1 -= c->body->cy;
+	cni_aabb near = cni_box_moved(*box, cni_v(-c->body->cx, -c->body->cy));
 	return cni_aabb_overlap(&c->reach, &near);
 }
 
@@ -272,7 +262,6 @@ static float visit_candidate(void *context, int32_t proxy, float limit)
 	const cni_proxy *p = cni_proxy_at(world, proxy);
 	const cni_shape *s;
 	const cni_body *other;
-	const cni_motion *motion;
 	cni_toi_input in;
 	if (!other_blocks(c, proxy) || ((p->flags & CNI_PROXY_STATIC) && !core_reaches(c, &p->fat))) /* rejected by the proxy alone */
 		return limit;
@@ -282,8 +271,7 @@ static float visit_candidate(void *context, int32_t proxy, float limit)
 	in.a = cni_shape_geometry(&world->blocks, s);
 	in.child_a = cni_proxy_child(p);
 	in.child_b = 0;
-	motion = cni_motions(world) + other->awake; /* the dummy for static ones */
-	in.path_a = body_path(other, cni_v(c->body->cx, c->body->cy), motion->dpx, motion->dpy, motion->theta);
+	in.path_a = path_of(other, cni_v(c->body->cx, c->body->cy), cni_motions(world) + other->awake); /* the dummy for static ones */
 	in.path_b = c->path;
 	if (!core_clamp(c, &c->core, &in, other))
 		inner_clamp(c, &in, other);
@@ -293,12 +281,7 @@ static float visit_candidate(void *context, int32_t proxy, float limit)
 /* Bounds the body's shapes on the whole path at any angle. */
 static cni_aabb swept_box(const cni_body *b, const cni_motion *m)
 {
-	cni_aabb box;
-	box.x0 = b->cx + cni_min(m->dpx, 0.0f) - b->extent;
-	box.x1 = b->cx + cni_max(m->dpx, 0.0f) + b->extent;
-	box.y0 = b->cy + cni_min(m->dpy, 0.0f) - b->extent;
-	box.y1 = b->cy + cni_max(m->dpy, 0.0f) + b->extent;
-	return box;
+	return cni_box_fatten(cni_aabb_of_segment(cni_v(b->cx, b->cy), cni_v(b->cx + m->dpx, b->cy + m->dpy)), b->extent);
 }
 
 static void motion_shorten(cni_motion *m, float fraction)
@@ -316,13 +299,12 @@ static int32_t shape_can_tunnel(const cni_shape *s, int32_t proxy)
 static void clamp_begin(clamp *c, cn_world *world, int32_t body, int32_t targets)
 {
 	const cni_body *b = cni_body_at(world, body);
-	const cni_motion *m = cni_motions(world) + b->awake;
 	c->world = world;
 	c->body = b;
 	c->targets = targets;
 	c->fraction = 1.0f;
 	c->blocking_body = 0;
-	c->path = body_path(b, cni_v(b->cx, b->cy), m->dpx, m->dpy, m->theta);
+	c->path = path_of(b, cni_v(b->cx, b->cy), cni_motions(world) + b->awake);
 }
 
 static void clamp_end(const clamp *c)
@@ -358,7 +340,7 @@ static void clamp_find(clamp *c, cn_world *world, int32_t body, int32_t targets)
 static void motion_slide(cni_motion *m, const clamp *c)
 {
 	cni_vec2 n = c->normal, from = cni_v(c->body->cx, c->body->cy);
-	cni_path path = body_path(c->body, from, c->fraction * m->dpx, c->fraction * m->dpy, c->fraction * m->theta);
+	cni_path path = cni_body_path(c->body, from, cni_mul(c->fraction, cni_v(m->dpx, m->dpy)), c->fraction * m->theta);
 	float advance = path_advance_along(&c->touching_core.geometry, 0, &path, n);
 	float arm = cni_cross(c->arm, n), mass = cni_max(m->inv_mass + m->inv_inertia * arm * arm, FLT_MIN);
 	float speed = c->fraction > 0.0f ? 0.0f : cni_max(-(m->vx * n.x + m->vy * n.y + m->w * arm), 0.0f) / mass;
@@ -369,7 +351,7 @@ static void motion_slide(cni_motion *m, const clamp *c)
 	m->dpx += shift * m->inv_mass * n.x;
 	m->dpy += shift * m->inv_mass * n.y;
 	m->theta += shift * m->inv_inertia * arm;
-	path = body_path(c->body, from, m->dpx, m->dpy, m->theta);
+	path = path_of(c->body, from, m);
 	out = cni_max(advance - path_advance_along(&c->touching_core.geometry, 0, &path, n), 0.0f);
 	out += 4.0f * FLT_EPSILON * (cni_abs(m->dpx) + cni_abs(m->dpy) + cni_abs(m->theta) * c->body->extent);
 	m->dpx += out * n.x;
@@ -436,18 +418,9 @@ static void clamp_against_contacts(cn_world *world, int32_t body)
 	clamp_slide_or_end(&c);
 }
 
-static cni_aabb box_moved(cni_aabb box, const cni_motion *m)
-{
-	box.x0 += m->dpx;
-	box.y0 += m->dpy;
-	box.x1 += m->dpx;
-	box.y1 += m->dpy;
-	return box;
-}
-
 static cni_aabb box_at_end(const cni_body *b, const cni_motion *m, const cni_geometry *g)
 {
-	cni_path path = body_path(b, cni_v(0.0f, 0.0f), m->dpx, m->dpy, m->theta);
+	cni_path path = path_of(b, cni_v(0.0f, 0.0f), m);
 	return cni_geometry_aabb(g, 0, cni_path_at(&path, 1.0f));
 }
 
@@ -484,7 +457,7 @@ static int32_t path_is_inside_boxes(const cn_world *world, const cni_body *b, co
 			continue;
 		fat = &cni_proxy_at(world, proxy)->fat;
 		cni_geometry_box(g, 0, &start, &from);
-		to = box_moved(from, m);
+		to = cni_box_moved(from, cni_v(m->dpx, m->dpy));
 		box = cni_box_fatten(cni_aabb_union(&from, &to), turn_bound);
 		if (cni_aabb_contains(fat, &box))
 			continue;

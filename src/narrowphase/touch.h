@@ -11,6 +11,7 @@
 #ifndef CNI_NARROWPHASE_TOUCH_H
 #define CNI_NARROWPHASE_TOUCH_H
 
+#include "collision/toi.h"
 #include "model/solve.h"
 
 typedef struct cni_pair_motion {
@@ -50,6 +51,23 @@ static inline cni_touch_pair cni_touch_pair_of(const cn_world *world, cni_contac
 	p.proxy[1] = cni_proxy_at(world, c->proxy[1]);
 	p.index = index;
 	p.place = CNI_NONE;
+	return p;
+}
+
+/* Maps frame b into frame a from the difference of the two centres, which loses no digits far from the origin. */
+static inline cni_transform cni_body_b_in_a(const cni_body *a, const cni_body *b, cni_vec2 centers)
+{
+	cni_transform x;
+	x.q = cni_rot_between(a->q, b->q);
+	x.t = cni_add(cni_unrotate(a->q, cni_sub(centers, cni_rotate(b->q, b->local_center))), a->local_center);
+	return x;
+}
+
+/* The path of a body that moves by `way` and turns; relative to a point near it. */
+static inline cni_path cni_body_path(const cni_body *b, cni_vec2 from, cni_vec2 way, float turn)
+{
+	cni_vec2 start = cni_v((b->cx - from.x) + b->cx_low, (b->cy - from.y) + b->cy_low);
+	cni_path p = { start, cni_add(start, way), b->q, turn, b->local_center };
 	return p;
 }
 
