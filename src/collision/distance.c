@@ -201,16 +201,13 @@ cni_closest cni_closest_find(const cni_vec2 *points_a, int32_t count_a, const cn
 	return out;
 }
 
-cni_distance_result cni_distance(cni_proxy_points a, cni_proxy_points b, cni_transform b_in_a)
+cni_closest cni_distance(cni_proxy_points a, cni_proxy_points b, cni_transform b_in_a)
 {
 	cni_closest c = cni_closest_find(a.points, a.count, b.points, b.count, b_in_a);
-	cni_distance_result out;
-	out.normal = c.normal;
-	out.iterations = c.iterations;
-	out.point_a = cni_madd(c.point_a, a.radius, c.normal);
-	out.point_b = cni_madd(c.point_b, -b.radius, c.normal);
-	out.distance = c.distance > 0.0f ? c.distance - a.radius - b.radius : 0.0f;
-	return out;
+	c.point_a = cni_madd(c.point_a, a.radius, c.normal);
+	c.point_b = cni_madd(c.point_b, -b.radius, c.normal);
+	c.distance = c.distance > 0.0f ? c.distance - a.radius - b.radius : 0.0f;
+	return c;
 }
 
 static void segments_try(cni_segment_distance *best, cni_vec2 a, cni_vec2 b, float fraction_a, float fraction_b)

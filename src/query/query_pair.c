@@ -132,7 +132,7 @@ static void distance_inside(const pair *p, const cni_cast_hit *hit, cn_distance 
 cn_result cn_polygon_distance(const cn_polygon *a, const cn_pose *pose_a, const cn_polygon *b, const cn_pose *pose_b, cn_distance *out)
 {
 	cni_call call = cni_enter_free();
-	cni_distance_result d;
+	cni_closest d;
 	cni_cast_hit hit;
 	pair p;
 	check_pair(&call, a, pose_a, b, pose_b, &p);
