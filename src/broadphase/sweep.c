@@ -143,36 +143,27 @@ static void sweep_touch(cni_broadphase *broadphase, int32_t id)
 
 /* ---- update ---- */
 
-/* Clears the moved set, except for the `lost` proxies that still have their MOVED flag because a pair was lost. */
-static void unmark_moved(cni_sweep *sweep, int32_t lost)
+/* The present box becomes the old box, except for proxies that lost a pair: they stay moved, and their old box becomes empty. */
+static void finish_moved(cni_sweep *sweep, int32_t pairs_lost)
 {
 	cni_sweep_walk walk = cni_sweep_walk_bits(sweep, &sweep->moved);
-	int32_t id;
-	if (lost == 0)
-		memset(cni_sweep_moved(sweep), 0, (size_t)cni_bit_words(sweep->id_end) * sizeof(uint64_t));
-	while (lost > 0 && (id = cni_sweep_walk_next(&walk)) != CNI_NONE)
-		if (!(cni_sweep_proxy(sweep, id)->flags & CNI_PROXY_MOVED))
-			cni_bit_clear(cni_sweep_moved(sweep), id);
-	sweep->moved_count = lost;
-}
-
-/* The present box becomes the old box, except for proxies that lost a pair: their old box becomes empty. */
-static void finish_moved(cni_sweep *sweep)
-{
-	cni_sweep_walk walk = cni_sweep_walk_bits(sweep, &sweep->moved);
-	int32_t id, lost = 0;
+	int32_t id, moved = 0;
 	while ((id = cni_sweep_walk_next(&walk)) != CNI_NONE) {
 		cni_proxy *proxy = cni_sweep_proxy(sweep, id);
 		if (proxy->flags & CNI_PROXY_AGAIN) {
 			proxy->flags &= ~(uint32_t)CNI_PROXY_AGAIN;
 			proxy->old = cni_no_box();
-			++lost;
+			++moved;
 			continue;
 		}
 		proxy->old = proxy->fat;
 		proxy->flags &= ~(uint32_t)CNI_PROXY_MOVED;
+		if (pairs_lost > 0)
+			cni_bit_clear(cni_sweep_moved(sweep), id);
 	}
-	unmark_moved(sweep, lost);
+	if (pairs_lost == 0)
+		memset(cni_sweep_moved(sweep), 0, (size_t)cni_bit_words(sweep->id_end) * sizeof(uint64_t));
+	sweep->moved_count = moved;
 }
 
 static void sweep_update(cni_broadphase *broadphase, cni_pair_filter_fn *filter, const void *filter_context, cni_broadphase_pairs *out)
@@ -185,7 +176,7 @@ static void sweep_update(cni_broadphase *broadphase, cni_pair_filter_fn *filter,
 	do {
 		cni_sweep_find_pairs(sweep, filter, filter_context, out);
 	} while (cni_pairs_search_again(out, sweep->context.arena, sweep->id_end));
-	finish_moved(sweep);
+	finish_moved(sweep, out->pairs_lost);
 	cni_pairs_sort(out, sweep->context.arena);
 }
 
