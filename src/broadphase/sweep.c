@@ -217,7 +217,7 @@ static int32_t entries_hold(const cni_sweep *sweep, int32_t tile)
 	int32_t k;
 	for (k = 0; k < t->count; ++k) {
 		const cni_proxy *proxy = cni_sweep_proxy(sweep, rows.id[k]);
-		cni_aabb box = cni_sweep_box_at(rows.x0, rows.y0, rows.x1, rows.y1, k);
+		cni_aabb box = cni_sweep_box_at(&rows, k);
 		if (proxy->cell != tile || !cni_aabb_contains(&t->bounds, &box) || box.x1 - box.x0 > t->reach ||
 		    cni_sweep_extent(&box) > sweep->levels[t->level].reach)
 			return 0;

@@ -28,9 +28,12 @@ typedef struct cni_sweep_pass {
 
 static inline int32_t cni_sweep_is_moved(const cni_sweep_pass *pass, int32_t id) { return cni_bit_get(cni_sweep_moved(pass->sweep), id); }
 
-static inline float *cni_sweep_old_boxes(const cni_sweep_pass *pass, const cni_sweep_tile *tile)
+/* Rows of a dense tile's old boxes: in scratch, or, if all entries are new, empty boxes. */
+static inline cni_sweep_rows cni_sweep_old_boxes(const cni_sweep_pass *pass, const cni_sweep_tile *tile)
 {
-	return pass->scratch + 2 * pass->new_entries + tile->previous;
+	float *least = pass->scratch, *most = least + pass->new_entries;
+	cni_sweep_rows empty = { least, most, least, most, NULL };
+	return tile->previous == CNI_NONE ? empty : cni_sweep_rows_at(least + 2 * pass->new_entries + tile->previous, tile->capacity);
 }
 
 /* The inner loop for the widest vectors of the processor. */

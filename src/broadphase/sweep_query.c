@@ -37,7 +37,7 @@ static uint32_t group_overlaps(const region *r, const cni_sweep_rows *rows, int3
 	uint32_t bits = 0;
 	int32_t l;
 	for (l = 0; l < CNI_SWEEP_LANES; l += CNI_WIDTH)
-		bits |= cni_mask_bits(lanes_overlap(rows->x0 + k + l, rows->x1 + k + l, rows->y0 + k + l, rows->y1 + k + l, &r->box)) << l;
+		bits |= cni_mask_bits(lanes_overlap(rows, k + l, &r->box)) << l;
 	return bits;
 }
 

@@ -438,7 +438,7 @@ static void finish_tiles(settle_pass *pass)
 		cni_sweep_tile *t = cni_sweep_tile_at(sweep, tile);
 		if (t->dense) {
 			sweep->levels[t->level].entries -= pass->results[i].gone;
-			cni_sweep_level_cover(sweep, t->level, pass->results[i].extent);
+			cni_sweep_level_cover(&sweep->levels[t->level], pass->results[i].extent);
 			if (t->count > 0)
 				cni_sweep_tile_shrink(sweep, t);
 		}
