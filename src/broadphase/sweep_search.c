@@ -19,11 +19,7 @@
 
 cni_sweep_find_new_fn *cni_sweep_find_new_choose(void)
 {
-#if CNI_HAS_WIDE_8
-	if (cni_cpu_has_avx2())
-		return cni_sweep_find_new_8;
-#endif
-	return cni_sweep_find_new;
+	return CNI_WIDEST(cni_sweep_find_new, cni_sweep_find_new, cni_sweep_find_new_8);
 }
 
 /* ---- reporting pairs ---- */
