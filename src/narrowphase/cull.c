@@ -204,12 +204,6 @@ CNI_INLINE void prefetch_ahead(cni_cull *s, int32_t at, int32_t count)
 
 /* ---- one contact ---- */
 
-/* Without branches. */
-static int32_t boxes_overlap(const cni_aabb *a, const cni_aabb *b)
-{
-	return (a->x0 <= b->x1) & (b->x0 <= a->x1) & (a->y0 <= b->y1) & (b->y0 <= a->y1);
-}
-
 /*
  * Do the circles stay out of each other's margin while one moves past the other? A body that turns stays in the circle around its centre
  * of mass. The least distance is that of the nearest point of a segment (Ericson, "Real-Time Collision Detection", 2005, 5.1.2).
@@ -253,7 +247,7 @@ static uint32_t one_cull(const cni_cull *s, int32_t k)
 	if (a->radius <= 0.0f || b->radius <= 0.0f)
 		contact_mark_static(s->of.world, c);
 	contact_enters_no_more(c);
-	return (uint32_t)(circles_apart(a, b, s->of.margin) & ((c->flags & LOOKED_AT) == 0) & boxes_overlap(&proxy[0]->fat, &proxy[1]->fat));
+	return (uint32_t)(circles_apart(a, b, s->of.margin) & ((c->flags & LOOKED_AT) == 0) & cni_aabb_overlap_branchless(&proxy[0]->fat, &proxy[1]->fat));
 }
 
 /* ---- four side by side ---- */
@@ -263,7 +257,7 @@ static uint32_t one_cull(const cni_cull *s, int32_t k)
 /* Input of four pairs, one row a pair. */
 typedef struct cull_rows {
 	cni_wide between[4];     /* difference of positions and of their changes in the step */
-	cni_mask over[4];        /* the four comparisons of boxes_overlap */
+	cni_mask over[4];        /* the four comparisons of cni_aabb_overlap_branchless */
 	uint32_t flags;          /* of all pairs, or-ed */
 } cull_rows;
 
