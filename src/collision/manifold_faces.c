@@ -20,7 +20,6 @@
  * reference, and an id names the same two features either way.
  */
 #include "collision/manifold_faces.h"
-#include "collision/manifold_table.h"
 #include "collision/distance.h"
 
 static const cni_transform same_frame = { { 1.0f, 0.0f }, { 0.0f, 0.0f } };

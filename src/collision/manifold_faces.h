@@ -51,6 +51,20 @@ static inline uint32_t cni_manifold_id(int32_t feature_a, int32_t feature_b)
 	return ((uint32_t)feature_a + 1u) << 8 | ((uint32_t)feature_b + 1u);
 }
 
+/* ---- the functions of the table in manifold_table.c */
+
+/* manifold_round.c */
+cni_manifold_fn cni_collide_circles;
+cni_manifold_fn cni_collide_circle_segment; /* capsules, edges */
+cni_manifold_fn cni_collide_circle_polygon;
+/* manifold_faces.c: polygons, capsules, edges */
+cni_manifold_fn cni_collide_polygons;
+/* manifold_chain.c */
+cni_manifold_fn cni_collide_circle_chain;
+cni_manifold_fn cni_collide_faces_chain; /* capsules, polygons */
+
+/* ---- parts of them */
+
 /* The manifold along an axis, both skeletons in a's frame. chain: NULL, or b's chain edge (face 0 of b is its front). */
 void cni_faces_manifold(const cni_faces *a, const cni_faces *b, cni_axis axis, const cni_chain_edge *chain,
 	const cni_manifold_input *in, cni_manifold *out);

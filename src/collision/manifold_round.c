@@ -4,7 +4,6 @@
  * normal (or, for two circles, +y) replaces the undefined direction, so the normal is always unit.
  */
 #include "collision/manifold_faces.h"
-#include "collision/manifold_table.h"
 
 /* Below this length in metres a direction is not taken from a difference of points. */
 #define LENGTH_MIN 1.0e-12f
