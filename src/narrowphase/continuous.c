@@ -21,7 +21,6 @@
  * Reads bodies, shapes, the broadphase; writes the position changes of stopped bodies, and the velocities of sliding ones.
  */
 #include "narrowphase/narrowphase.h"
-#include "narrowphase/deep_bodies.h"
 #include "narrowphase/touch.h"
 #include "collision/distance.h"
 #include "model/tuning.h"
