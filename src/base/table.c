@@ -9,7 +9,6 @@
 #include <string.h>
 
 #define ARRAY_LARGE_BYTES 2048u
-/* Keeps the growth of the page pointers within an int32_t. */
 #define TABLE_PAGES_MAX (1 << 30)
 
 /* ------------------------------------------------------------------ table */
@@ -17,9 +16,7 @@
 void cni_table_init(cni_table *table, int32_t item_bytes, int32_t page_shift)
 {
 	CNI_ASSERT(item_bytes > 0 && page_shift >= 0 && page_shift < 31);
-	table->pages = NULL;
-	table->page_count = 0;
-	table->page_capacity = 0;
+	cni_array_init(&table->pages, (int32_t)sizeof(uint8_t *));
 	table->item_bytes = item_bytes;
 	table->page_shift = page_shift;
 }
@@ -33,9 +30,9 @@ void cni_table_deinit(cni_table *table, cni_memory *memory)
 {
 	int32_t i;
 
-	for (i = 0; i < table->page_count; ++i)
-		cni_memory_free(memory, table->pages[i], table_page_bytes(table));
-	cni_memory_free(memory, table->pages, (uint64_t)table->page_capacity * sizeof *table->pages);
+	for (i = 0; i < table->pages.count; ++i)
+		cni_memory_free(memory, cni_table_pages(table)[i], table_page_bytes(table));
+	cni_array_deinit(&table->pages, memory);
 	cni_table_init(table, table->item_bytes, table->page_shift);
 }
 
@@ -46,33 +43,6 @@ static int64_t table_pages_for(const cni_table *table, int32_t count)
 	return count > 0 ? ((int64_t)count + page_items - 1) >> table->page_shift : 0;
 }
 
-/* Page pointers fill whole cache lines, the unit of cni_memory. */
-static int64_t table_pointers_rounded(int64_t count)
-{
-	int64_t line = (int64_t)(CNI_MEMORY_ALIGN / sizeof(uint8_t *));
-
-	return (count + line - 1) / line * line;
-}
-
-static int32_t table_reserve_pointers(cni_table *table, cni_memory *memory, int32_t page_count)
-{
-	int32_t grown = table->page_capacity + table->page_capacity / 2;
-	int32_t capacity = (int32_t)table_pointers_rounded(page_count > grown ? page_count : grown);
-	uint8_t **pages;
-
-	if (page_count <= table->page_capacity)
-		return 1;
-	pages = (uint8_t **)cni_memory_alloc(memory, (uint64_t)capacity * sizeof *pages);
-	if (pages == NULL)
-		return 0;
-	if (table->page_count > 0)
-		memcpy(pages, table->pages, (size_t)table->page_count * sizeof *pages);
-	cni_memory_free(memory, table->pages, (uint64_t)table->page_capacity * sizeof *pages);
-	table->pages = pages;
-	table->page_capacity = capacity;
-	return 1;
-}
-
 int32_t cni_table_grow(cni_table *table, cni_memory *memory, int32_t count)
 {
 	int64_t page_count = table_pages_for(table, count);
@@ -80,25 +50,24 @@ int32_t cni_table_grow(cni_table *table, cni_memory *memory, int32_t count)
 
 	if (page_count << table->page_shift > INT32_MAX || page_count > TABLE_PAGES_MAX)
 		return 0;
-	if (!table_reserve_pointers(table, memory, (int32_t)page_count))
+	if (!cni_array_reserve(&table->pages, memory, (int32_t)page_count))
 		return 0;
-	while (table->page_count < page_count) {
+	while (table->pages.count < page_count) {
 		uint8_t *page = (uint8_t *)cni_memory_alloc(memory, page_bytes);
 
 		if (page == NULL)
 			return 0;
 		memset(page, 0, (size_t)page_bytes);
-		table->pages[table->page_count++] = page;
+		cni_table_pages(table)[table->pages.count++] = page;
 	}
 	return 1;
 }
 
 uint64_t cni_table_bytes_for(const cni_table *table, int32_t count)
 {
-	int64_t page_count = table_pages_for(table, count);
-	uint64_t pointers = (uint64_t)table_pointers_rounded(page_count);
+	uint64_t page_count = (uint64_t)table_pages_for(table, count);
 
-	return (uint64_t)page_count * cni_memory_rounded(table_page_bytes(table)) + pointers * sizeof *table->pages;
+	return page_count * cni_memory_rounded(table_page_bytes(table)) + cni_memory_rounded(page_count * sizeof(uint8_t *));
 }
 
 /* ------------------------------------------------------------------ array */
