@@ -184,11 +184,7 @@ static inline void cni_sweep_entry_set(const cni_sweep_rows *rows, int32_t k, in
 
 static inline cni_sweep_walk cni_sweep_walk_bits(const cni_sweep *sweep, const cni_array *bits)
 {
-	cni_sweep_walk walk;
-	walk.words = (const uint64_t *)bits->data;
-	walk.rest = 0;
-	walk.word = -1;
-	walk.end = cni_bit_words(sweep->id_end);
+	cni_sweep_walk walk = { (const uint64_t *)bits->data, 0, -1, cni_bit_words(sweep->id_end) };
 	return walk;
 }
 

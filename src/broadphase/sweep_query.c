@@ -92,11 +92,7 @@ void cni_sweep_query(const cni_broadphase *broadphase, const cni_aabb *box, cni_
 	const cni_sweep *sweep = cni_sweep_of(broadphase);
 	cni_sweep_cursor cursor;
 	int32_t tile;
-	region r;
-	r.sweep = sweep;
-	r.box = *box;
-	r.visit = visit;
-	r.context = context;
+	region r = { sweep, *box, visit, context };
 	cni_sweep_cursor_start(sweep, &cursor, box);
 	while ((tile = cni_sweep_cursor_next(sweep, &cursor)) != CNI_NONE)
 		if (!query_tile(&r, cni_sweep_tile_at(sweep, tile)))
@@ -157,12 +153,8 @@ typedef struct ray_lanes {
 static ray_lanes ray_lanes_of(const ray_pass *ray, const cni_sweep_rows *rows)
 {
 	int32_t right = ray->d.x >= 0.0f, up = ray->d.y >= 0.0f;
-	ray_lanes lanes;
-	lanes.rows = *rows;
-	lanes.least_x = up ? rows->x1 : rows->x0;
-	lanes.most_x = up ? rows->x0 : rows->x1;
-	lanes.least_y = right ? rows->y0 : rows->y1;
-	lanes.most_y = right ? rows->y1 : rows->y0;
+	ray_lanes lanes = { *rows, up ? rows->x1 : rows->x0, right ? rows->y0 : rows->y1,
+	                    up ? rows->x0 : rows->x1, right ? rows->y1 : rows->y0 };
 	return lanes;
 }
 

@@ -117,11 +117,7 @@ static cni_sweep_view view_of(const cni_sweep_pass *pass, const cni_sweep_tile *
 
 static inline cni_sweep_probe probe_of(const cni_sweep_view *v, int32_t i)
 {
-	cni_sweep_probe q;
-	q.now = cni_sweep_box_at(&v->now, i);
-	q.old = cni_sweep_box_at(&v->old, i);
-	q.id = v->now.id[i];
-	q.skip_moved = v->skip_moved;
+	cni_sweep_probe q = { cni_sweep_box_at(&v->now, i), cni_sweep_box_at(&v->old, i), v->now.id[i], v->skip_moved };
 	return q;
 }
 
@@ -220,13 +216,9 @@ void cni_sweep_search_entry(cni_sweep_pass *pass, int32_t id)
 {
 	const cni_sweep *sweep = pass->sweep;
 	const cni_proxy *proxy = cni_sweep_proxy(sweep, id);
+	cni_sweep_probe q = { proxy->fat, cni_sweep_old(proxy), id, 0 };
 	cni_sweep_cursor cursor;
 	int32_t tile;
-	cni_sweep_probe q;
-	q.now = proxy->fat;
-	q.old = cni_sweep_old(proxy);
-	q.id = id;
-	q.skip_moved = 0;
 	cni_sweep_cursor_start(sweep, &cursor, &q.now);
 	while ((tile = cni_sweep_cursor_next(sweep, &cursor)) != CNI_NONE) {
 		const cni_sweep_tile *t = cni_sweep_tile_at(sweep, tile);

@@ -154,10 +154,7 @@ static void pairs_of(pair_search *s, int32_t place)
 void cni_tree_pairs(const cni_tree *tree, cni_tree_pair_fn *found, void *context)
 {
 	int32_t stack[CNI_TREE_STACK], top = 0;
-	pair_search search;
-	search.tree = tree;
-	search.found = found;
-	search.context = context;
+	pair_search search = { tree, found, context, cni_no_box(), CNI_NONE, 0 };
 	if (tree->count > 1)
 		stack[top++] = CNI_TREE_ROOT;
 	while (top > 0) {

@@ -46,13 +46,8 @@ static int32_t support(const cni_vec2 *points, int32_t count, cni_vec2 direction
 
 static vertex vertex_make(const query *q, int32_t ia, int32_t ib)
 {
-	vertex v;
-	v.a = q->points_a[ia];
-	v.b = cni_transform_point(q->b_in_a, q->points_b[ib]);
-	v.w = cni_sub(v.b, v.a);
-	v.share = 1.0f;
-	v.ia = ia;
-	v.ib = ib;
+	cni_vec2 a = q->points_a[ia], b = cni_transform_point(q->b_in_a, q->points_b[ib]);
+	vertex v = { a, b, cni_sub(b, a), 1.0f, ia, ib };
 	return v;
 }
 
@@ -212,14 +207,9 @@ cni_closest cni_distance(cni_proxy_points a, cni_proxy_points b, cni_transform b
 
 static void segments_try(cni_segment_distance *best, cni_vec2 a, cni_vec2 b, float fraction_a, float fraction_b)
 {
-	float distance_sq = cni_distance_sq(a, b);
-	if (distance_sq >= best->distance_sq)
-		return;
-	best->point_a = a;
-	best->point_b = b;
-	best->fraction_a = fraction_a;
-	best->fraction_b = fraction_b;
-	best->distance_sq = distance_sq;
+	const cni_segment_distance found = { a, b, fraction_a, fraction_b, cni_distance_sq(a, b) };
+	if (!(found.distance_sq >= best->distance_sq))
+		*best = found;
 }
 
 /* A proper crossing; touching ends are found by the end tests. */

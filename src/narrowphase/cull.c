@@ -41,14 +41,8 @@
 /* The high part of a centre is within half a unit of its last place. */
 static cni_cull_body cull_body_make(const cni_body *b, float dt)
 {
-	cni_cull_body s;
-	s.x = b->cx;
-	s.y = b->cy;
-	s.ahead_x = dt * b->vx;
-	s.ahead_y = dt * b->vy;
-	s.radius = CNI_CIRCLES_APART * b->extent + FLT_EPSILON * (cni_abs(b->cx) + cni_abs(b->cy));
-	if (b->awake == 0)
-		s.radius = -s.radius;
+	float radius = CNI_CIRCLES_APART * b->extent + FLT_EPSILON * (cni_abs(b->cx) + cni_abs(b->cy));
+	cni_cull_body s = { b->cx, b->cy, dt * b->vx, dt * b->vy, b->awake == 0 ? -radius : radius };
 	return s;
 }
 

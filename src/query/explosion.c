@@ -157,16 +157,12 @@ cn_result cn_world_explode(cn_world *world, const cn_explosion_def *def)
 {
 	cni_call call = cni_enter(world, __func__);
 	cni_sight sight;
-	explosion e;
+	explosion e = { world, def, &sight, NULL, 0, 0 };
 	uint64_t *keys;
 	check_def(&call, def);
 	sight = cni_check_filter(&call, call.result == CN_OK ? &def->filter : NULL);
 	if (call.result != CN_OK)
 		return call.result;
-	e.world = world;
-	e.def = def;
-	e.sight = &sight;
-	e.count = 0;
 	find_pieces(&e, NULL);
 	if (e.count == 0)
 		return CN_OK;

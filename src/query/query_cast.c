@@ -299,14 +299,8 @@ static int32_t piece_count(const shape_query *q)
 cn_ray_hit cni_region_cast(const cni_sight *sight, const cni_region *region, cni_vec2 translation)
 {
 	const cn_world *world = sight->world;
-	shape_query q;
-	int32_t k, pieces;
-	q.sight = sight;
-	q.region = region;
-	q.translation = translation;
-	q.box = cni_region_box(region, cni_v(0.0f, 0.0f));
-	q.best = hit_none();
-	pieces = piece_count(&q);
+	shape_query q = { sight, region, translation, cni_region_box(region, cni_v(0.0f, 0.0f)), hit_none() };
+	int32_t k, pieces = piece_count(&q);
 	for (k = 0; k < pieces; ++k) {
 		float from = (float)k / (float)pieces, to = (float)(k + 1) / (float)pieces;
 		cni_aabb box = cni_region_box(region, cni_mul(from, translation)), end = cni_region_box(region, cni_mul(to, translation));
