@@ -295,37 +295,49 @@ static int32_t shape_can_tunnel(const cni_shape *s, int32_t proxy)
 	return s->type != CN_SHAPE_CHAIN && !(s->flags & CN_SHAPE_SENSOR) && proxy != CNI_NONE;
 }
 
-static void clamp_begin(clamp *c, cn_world *world, int32_t body, int32_t targets)
+/* Against the static shapes that it has contacts with. */
+static void shape_clamp_contacts(clamp *c, const cni_shape *s)
+{
+	const cn_world *world = c->world;
+	int32_t key, next, has_core = 0;
+	for (key = c->body->contact_first; key != CNI_NONE; key = next) {
+		const cni_contact *contact = cni_contact_of_key(world, key);
+		int32_t side = key & 1, other = contact->proxy[1 - side];
+		next = contact->next[side];
+		if (!(contact->flags & CNI_CONTACT_STATIC) && !(c->body->flags & CNI_BODY_MIXED))
+			return; /* those with static bodies are in front */
+		if (contact->proxy[side] != c->proxy || !(contact->flags & CNI_CONTACT_STATIC))
+			continue;
+		if (!has_core)
+			core_begin(c, cni_shape_geometry(&world->blocks, s));
+		has_core = 1;
+		visit_candidate(c, other, 0.0f);
+	}
+}
+
+/* Finds the free fraction of the body's path: against every shape that the broadphase reports, or, for a body that can hit only
+   static shapes that it has contacts with, against these. */
+static void clamp_find(clamp *c, cn_world *world, int32_t body, int32_t targets, int32_t by_contacts)
 {
 	const cni_body *b = cni_body_at(world, body);
+	const cni_motion *m = cni_motions(world) + b->awake;
+	cni_aabb box = swept_box(b, m);
+	int32_t shape;
 	c->world = world;
 	c->body = b;
 	c->targets = targets;
 	c->fraction = 1.0f;
 	c->blocking_body = 0;
-	c->path = path_of(b, cni_v(b->cx, b->cy), cni_motions(world) + b->awake);
-}
-
-static void clamp_end(const clamp *c)
-{
-	cni_motion *motions = cni_motions(c->world);
-	motion_shorten(&motions[c->body->awake], c->fraction);
-	if (c->blocking_body != 0) /* its path was not checked beyond that fraction: it could sweep over the bullet */
-		motion_shorten(&motions[c->blocking_body], c->fraction);
-}
-
-/* Finds the free fraction of the body's path against every shape that the broadphase reports. */
-static void clamp_find(clamp *c, cn_world *world, int32_t body, int32_t targets)
-{
-	const cni_body *b = cni_body_at(world, body);
-	cni_aabb box = swept_box(b, cni_motions(world) + b->awake);
-	int32_t shape;
-	clamp_begin(c, world, body, targets);
+	c->path = path_of(b, cni_v(b->cx, b->cy), m);
 	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
 		const cni_shape *s = cni_shape_at(world, shape);
 		c->proxy = cni_shape_proxy(world, s, 0);
 		if (!shape_can_tunnel(s, c->proxy))
 			continue;
+		if (by_contacts) {
+			shape_clamp_contacts(c, s);
+			continue;
+		}
 		core_begin(c, cni_shape_geometry(&world->blocks, s));
 		world->broadphase_ops->query(world->broadphase, &box, visit_candidate, c);
 	}
@@ -363,59 +375,24 @@ static int32_t may_slide(const clamp *c)
 	       !(c->body->flags & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y));
 }
 
-/* A body that a static shape stops slides, at most once. In a corner, or with a locked axis, it stays. */
-static void clamp_slide_or_end(clamp *c)
+/* Shortens the body's motion. A body that a static shape stops slides, at most once. In a corner, or with a locked axis, it stays. */
+static void clamp_body(cn_world *world, int32_t body, int32_t targets, int32_t by_contacts)
 {
-	cni_motion *m = cni_motions(c->world) + c->body->awake;
-	if (may_slide(c)) {
-		motion_slide(m, c);
-		clamp_find(c, c->world, cni_awake_ids(c->world)[c->body->awake], c->targets);
+	cni_motion *m = cni_motions(world) + cni_body_at(world, body)->awake;
+	clamp c;
+	clamp_find(&c, world, body, targets, by_contacts);
+	if (may_slide(&c)) {
+		motion_slide(m, &c);
+		clamp_find(&c, world, body, targets, 0);
 	}
-	clamp_end(c);
+	motion_shorten(m, c.fraction);
+	if (c.blocking_body != 0) /* its path was not checked beyond that fraction: it could sweep over the bullet */
+		motion_shorten(cni_motions(world) + c.blocking_body, c.fraction);
 	if (cni_motion_keep_finite(m)) /* sliding along may overflow where the path is near the limits of float */
-		(void)cni_atomic_add(&c->world->bodies_stopped, 1u);
+		(void)cni_atomic_add(&world->bodies_stopped, 1u);
 }
 
-static void clamp_body(cn_world *world, int32_t body, int32_t targets)
-{
-	clamp c;
-	clamp_find(&c, world, body, targets);
-	clamp_slide_or_end(&c);
-}
-
-/* ---- bodies that can hit only static shapes they have contacts with ---- */
-
-static void shape_clamp_contacts(clamp *c, const cni_shape *s)
-{
-	const cn_world *world = c->world;
-	int32_t key, next, has_core = 0;
-	for (key = c->body->contact_first; key != CNI_NONE; key = next) {
-		const cni_contact *contact = cni_contact_of_key(world, key);
-		int32_t side = key & 1, other = contact->proxy[1 - side];
-		next = contact->next[side];
-		if (!(contact->flags & CNI_CONTACT_STATIC) && !(c->body->flags & CNI_BODY_MIXED))
-			return; /* those with static bodies are in front */
-		if (contact->proxy[side] != c->proxy || !(contact->flags & CNI_CONTACT_STATIC))
-			continue;
-		if (!has_core)
-			core_begin(c, cni_shape_geometry(&world->blocks, s));
-		has_core = 1;
-		visit_candidate(c, other, 0.0f);
-	}
-}
-
-static void clamp_against_contacts(cn_world *world, int32_t body)
-{
-	clamp c;
-	int32_t shape;
-	clamp_begin(&c, world, body, CLAMP_STATIC);
-	for (shape = c.body->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
-		c.proxy = cni_shape_proxy(world, cni_shape_at(world, shape), 0);
-		if (shape_can_tunnel(cni_shape_at(world, shape), c.proxy))
-			shape_clamp_contacts(&c, cni_shape_at(world, shape));
-	}
-	clamp_slide_or_end(&c);
-}
+/* ---- which bodies ---- */
 
 static cni_aabb box_at_end(const cni_body *b, const cni_motion *m, const cni_geometry *g)
 {
@@ -487,9 +464,9 @@ static void body_check(check_loop *loop, int32_t body, const cni_motion *m, int3
 	if (world->movable_count == world->body_handles.count)
 		return; /* the world has no static body */
 	if (loop->without_boxes || (world->pairs_may_repeat & ~CNI_PAIRS_CROWDED) || !path_is_inside_boxes(world, b, m))
-		clamp_body(world, body, CLAMP_STATIC);
+		clamp_body(world, body, CLAMP_STATIC, 0);
 	else if (b->flags & CNI_BODY_AT_STATIC)
-		clamp_against_contacts(world, body);
+		clamp_body(world, body, CLAMP_STATIC, 1);
 }
 
 CNI_INLINE void record_prefetch(const cn_world *world, int32_t body)
@@ -531,7 +508,7 @@ static void bullets_check(cn_world *world)
 			continue;
 		externals[k].flags &= ~(uint32_t)CNI_EXTERNAL_DEFERRED;
 		if (body_is_fast(cni_body_at(world, body), cni_motions(world) + k)) /* another bullet may have shortened its path */
-			clamp_body(world, body, CLAMP_ALL);
+			clamp_body(world, body, CLAMP_ALL, 0);
 	}
 }
 
