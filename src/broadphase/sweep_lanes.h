@@ -1,8 +1,14 @@
 /*
- * broadphase/sweep_lanes.h - tests a box against CNI_WIDTH entries at a time. Where CNI_KERNEL is defined, it also defines
- * the inner loop of the pair search under that name: once in sweep_search.c, once in sweep_lanes_8.c.
- * The code only compares, so all widths find the same pairs.
+ * broadphase/sweep_lanes.h - tests a box against CNI_WIDTH entries at a time: 8 if the file that includes this says so. Where
+ * CNI_KERNEL is defined, it also defines the inner loop of the pair search under that name: once in sweep_search.c, once in
+ * sweep_lanes_8.c. The code only compares, so all widths find the same pairs.
  */
+#include "base/cpu.h"
+#if !defined(CNI_WIDTH) && CNI_HAS_WIDE_4
+#define CNI_WIDTH 4
+#elif !defined(CNI_WIDTH)
+#define CNI_WIDTH 1
+#endif
 #include "base/wide.h"
 #include "broadphase/sweep.h"
 

@@ -9,12 +9,6 @@
  * returned. Grid traversal after Amanatides and Woo (1987), by rows instead of cells because tiles overlap their
  * neighbours.
  */
-#include "base/cpu.h"
-#if CNI_HAS_WIDE_4
-#define CNI_WIDTH 4
-#else
-#define CNI_WIDTH 1
-#endif
 #include "broadphase/sweep_lanes.h"
 
 /* ---- regions ---- */

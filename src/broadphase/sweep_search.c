@@ -7,12 +7,6 @@
  *
  * The inner loop tests CNI_SWEEP_LANES entries at a time: broadphase/sweep_lanes.h.
  */
-#include "base/cpu.h"
-#if CNI_HAS_WIDE_4
-#define CNI_WIDTH 4
-#else
-#define CNI_WIDTH 1
-#endif
 #define CNI_KERNEL cni_sweep_find_new
 #include "broadphase/sweep_lanes.h"
 #include "broadphase/sweep_pass.h"
