@@ -116,7 +116,7 @@ static void sweep_remove(cni_broadphase *broadphase, int32_t id)
 	cni_proxy *proxy = cni_sweep_proxy(sweep, id);
 	if (proxy->cell != CNI_NONE) {
 		cni_sweep_tile *tile = cni_sweep_tile_at(sweep, proxy->cell);
-		cni_sweep_entry_remove(sweep, tile, cni_sweep_entry_find(sweep, tile, id));
+		cni_sweep_entry_remove(sweep, tile, id);
 		if (tile->count == 0)
 			cni_sweep_tile_destroy(sweep, proxy->cell);
 	}

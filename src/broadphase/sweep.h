@@ -260,15 +260,14 @@ static inline int32_t cni_sweep_entry_from(const float *x0s, int32_t count, floa
 	}
 	return low;
 }
-/* Index of a proxy's entry in its tile; the entry must exist. */
-int32_t cni_sweep_entry_find(const cni_sweep *sweep, const cni_sweep_tile *tile, int32_t id);
 /* Inserts in sorted order; 0 when there is no memory. */
 int32_t cni_sweep_entry_insert(cni_sweep *sweep, cni_sweep_tile *tile, int32_t id, const cni_aabb *box);
 /* Appends the id alone, unsorted and without padding, for a rebuild that follows; 0 when there is no memory. */
 int32_t cni_sweep_entry_append(cni_sweep *sweep, cni_sweep_tile *tile, int32_t id);
-void cni_sweep_entry_remove(cni_sweep *sweep, cni_sweep_tile *tile, int32_t entry);
-/* Gives an entry a new box and moves it to its sorted place. */
-void cni_sweep_entry_shift(cni_sweep *sweep, cni_sweep_tile *tile, int32_t entry, const cni_aabb *box);
+/* Removes a proxy's entry from its tile. */
+void cni_sweep_entry_remove(cni_sweep *sweep, cni_sweep_tile *tile, int32_t id);
+/* Gives a proxy's entry a new box and moves it to its sorted place. */
+void cni_sweep_entry_shift(cni_sweep *sweep, cni_sweep_tile *tile, int32_t id, const cni_aabb *box);
 
 void cni_sweep_cursor_start(const cni_sweep *sweep, cni_sweep_cursor *cursor, const cni_aabb *box);
 /* The next tile whose bounds overlap the box, or CNI_NONE. */

@@ -202,13 +202,6 @@ static void mark_settled(cni_sweep *sweep, int32_t id)
 	--sweep->loose_count;
 }
 
-static void leave(cni_sweep *sweep, cni_proxy *proxy, int32_t id)
-{
-	cni_sweep_tile *tile = cni_sweep_tile_at(sweep, proxy->cell);
-	cni_sweep_entry_remove(sweep, tile, cni_sweep_entry_find(sweep, tile, id));
-	proxy->cell = CNI_NONE;
-}
-
 static void enter(cni_sweep *sweep, cni_proxy *proxy, int32_t id, int32_t home)
 {
 	cni_sweep_tile *tile = cni_sweep_tile_at(sweep, home);
@@ -227,12 +220,12 @@ static void settle_proxy(cni_sweep *sweep, int32_t id, int32_t home)
 	if (proxy->cell == home && home != CNI_NONE) {
 		cni_sweep_tile *tile = cni_sweep_tile_at(sweep, home);
 		if (!tile->dense)
-			cni_sweep_entry_shift(sweep, tile, cni_sweep_entry_find(sweep, tile, id), &proxy->fat);
+			cni_sweep_entry_shift(sweep, tile, id, &proxy->fat);
 		mark_settled(sweep, id);
 		return;
 	}
 	if (proxy->cell != CNI_NONE && !cni_sweep_tile_at(sweep, proxy->cell)->dense)
-		leave(sweep, proxy, id);
+		cni_sweep_entry_remove(sweep, cni_sweep_tile_at(sweep, proxy->cell), id);
 	proxy->cell = CNI_NONE;
 	if (home != CNI_NONE)
 		enter(sweep, proxy, id, home);

@@ -336,7 +336,7 @@ int32_t cni_sweep_entry_bound(const cni_sweep_rows *rows, int32_t count, float x
 }
 
 /* An entry that is out of date still has the x0 of the last settle, which is nearly always that of the old box. */
-int32_t cni_sweep_entry_find(const cni_sweep *sweep, const cni_sweep_tile *tile, int32_t id)
+static int32_t entry_find(const cni_sweep *sweep, const cni_sweep_tile *tile, int32_t id)
 {
 	cni_sweep_rows rows = cni_sweep_rows_of(sweep, tile);
 	const cni_proxy *proxy = cni_sweep_proxy(sweep, id);
@@ -377,9 +377,10 @@ int32_t cni_sweep_entry_append(cni_sweep *sweep, cni_sweep_tile *tile, int32_t i
 	return 1;
 }
 
-void cni_sweep_entry_remove(cni_sweep *sweep, cni_sweep_tile *tile, int32_t entry)
+void cni_sweep_entry_remove(cni_sweep *sweep, cni_sweep_tile *tile, int32_t id)
 {
 	cni_sweep_rows rows = cni_sweep_rows_of(sweep, tile);
+	int32_t entry = entry_find(sweep, tile, id);
 	entries_move(&rows, entry, &rows, entry + 1, tile->count - entry - 1);
 	--tile->count;
 	--sweep->levels[tile->level].entries;
@@ -387,11 +388,10 @@ void cni_sweep_entry_remove(cni_sweep *sweep, cni_sweep_tile *tile, int32_t entr
 	tile_changed(sweep, tile);
 }
 
-void cni_sweep_entry_shift(cni_sweep *sweep, cni_sweep_tile *tile, int32_t entry, const cni_aabb *box)
+void cni_sweep_entry_shift(cni_sweep *sweep, cni_sweep_tile *tile, int32_t id, const cni_aabb *box)
 {
 	cni_sweep_rows rows = cni_sweep_rows_of(sweep, tile);
-	int32_t id = rows.id[entry];
-	int32_t k = entry;
+	int32_t entry = entry_find(sweep, tile, id), k = entry;
 	while (k > 0 && (rows.x0[k - 1] > box->x0 || (rows.x0[k - 1] == box->x0 && rows.id[k - 1] > id)))
 		--k;
 	if (k < entry)
