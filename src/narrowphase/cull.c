@@ -73,15 +73,6 @@ static void four_make(const cni_body *b, float dt, cni_cull_body *out)
 /* Layout of the record that four_make reads; four bodies from a multiple of four lie in one page. */
 typedef char cni_four_bodies_are_read[offsetof(cni_body, w) == offsetof(cni_body, vx) + 8 && CNI_PAGE_BODIES >= 2 ? 1 : -1];
 
-#else
-
-static void four_make(const cni_body *b, float dt, cni_cull_body *out)
-{
-	int32_t l;
-	for (l = 0; l < 4; ++l)
-		out[l] = cull_body_make(&b[l], dt);
-}
-
 #endif
 
 static void bodies_range(void *context, int32_t begin, int32_t end, int32_t worker)
@@ -94,12 +85,14 @@ static void bodies_range(void *context, int32_t begin, int32_t end, int32_t work
 	(void)worker;
 	while (k < end) {
 		const cni_body *b = cni_body_at(world, k);
+#if CNI_HAS_WIDE_4
 		if (k % 4 == 0 && k + 4 <= end) {
 			four_make(b, dt, &bodies[k]);
 			k += 4;
-		} else {
-			bodies[k++] = cull_body_make(b, dt);
+			continue;
 		}
+#endif
+		bodies[k++] = cull_body_make(b, dt);
 	}
 }
 
@@ -314,15 +307,6 @@ static uint32_t four_cull(const cni_cull *s, cni_contact *const *c, const cni_pr
 	return r.flags & (LOOKED_AT | ENTERED) ? four_by_flags(c, apart) : apart;
 }
 
-#else
-
-static uint32_t four_cull(const cni_cull *s, cni_contact *const *c, const cni_proxy *const (*proxy)[2])
-{
-	(void)proxy;
-	int32_t k = (int32_t)(c - s->batch_record);
-	return one_cull(s, k) | one_cull(s, k + 1) << 1 | one_cull(s, k + 2) << 2 | one_cull(s, k + 3) << 3;
-}
-
 #endif
 
 /* ---- batches ---- */
@@ -347,14 +331,17 @@ CNI_INLINE void batch_find(cni_cull *s, int32_t at, int32_t k)
 static uint32_t apart_of_batch(cni_cull *s, int32_t from, int32_t size)
 {
 	uint32_t apart = 0;
-	int32_t k = 0, l;
+	int32_t k = 0;
+#if CNI_HAS_WIDE_4
 	for (; cni_cull_bodies(&s->of) != NULL && k + 4 <= size; k += 4) {
+		int32_t l;
 		if (cni_cull_prefetches(&s->of))
 			prefetch_ahead(s, from + k, 4);
 		for (l = k; l < k + 4; ++l)
 			batch_find(s, from + l, l);
 		apart |= four_cull(s, &s->batch_record[k], (const cni_proxy *const (*)[2])&s->batch_proxy[k]) << k;
 	}
+#endif
 	for (; k < size; ++k) {
 		if (cni_cull_prefetches(&s->of))
 			prefetch_ahead(s, from + k, 1);
