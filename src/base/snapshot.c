@@ -11,12 +11,7 @@
 
 cni_snapshot cni_snapshot_begin(int32_t mode, void *bytes, cni_memory *memory)
 {
-	cni_snapshot s;
-	s.at = (uint8_t *)bytes;
-	s.bytes = 0;
-	s.memory = memory;
-	s.mode = mode;
-	s.failed = 0;
+	cni_snapshot s = { (uint8_t *)bytes, 0, memory, mode, 0 };
 	return s;
 }
 

@@ -33,11 +33,9 @@ static void nearest_emit(const nearest *near, const cni_manifold_input *in, cni_
 
 static nearest nearest_to_point(cni_vec2 center, cni_vec2 point, cni_vec2 fallback, int32_t feature)
 {
-	nearest near;
 	cni_vec2 d = cni_sub(center, point);
-	near.distance = cni_length(d);
-	near.normal = near.distance > LENGTH_MIN ? cni_mul(1.0f / near.distance, d) : fallback;
-	near.feature = feature;
+	float distance = cni_length(d);
+	nearest near = { distance > LENGTH_MIN ? cni_mul(1.0f / distance, d) : fallback, distance, feature };
 	return near;
 }
 

@@ -7,10 +7,7 @@
 
 static cni_nearest nearest_make(cni_vec2 on_skeleton, cni_vec2 normal, float height, float radius)
 {
-	cni_nearest n;
-	n.distance = height - radius;
-	n.point = cni_madd(on_skeleton, radius, normal);
-	n.normal = normal;
+	cni_nearest n = { height - radius, cni_madd(on_skeleton, radius, normal), normal };
 	return n;
 }
 

@@ -47,10 +47,7 @@ static float changed_find_seams(void *context, int32_t proxy, float limit)
 {
 	cn_world *world = (cn_world *)context;
 	const cni_proxy *p = cni_proxy_at(world, proxy);
-	seam_search s;
-	s.world = world;
-	s.proxy = proxy;
-	s.geometry = (cni_geometry *)cni_blocks_at(&world->blocks, p->geometry);
+	seam_search s = { world, proxy, (cni_geometry *)cni_blocks_at(&world->blocks, p->geometry) };
 	if (cni_is_chain(s.geometry->type))
 		return limit;
 	s.geometry->seams = 0;
