@@ -70,13 +70,7 @@ static float width_across(const cni_geometry *g, int32_t child, cni_vec2 directi
 {
 	cni_vec2 storage[2], side = cni_left_perp(direction);
 	cni_proxy_points set = cni_geometry_proxy(g, child, storage);
-	float least = cni_dot(side, set.points[0]), most = least;
-	int32_t i;
-	for (i = 1; i < set.count; ++i) {
-		float at = cni_dot(side, set.points[i]);
-		least = cni_min(at, least);
-		most = cni_max(at, most);
-	}
+	float least = cni_points_lowest(set.points, set.count, side), most = -cni_points_lowest(set.points, set.count, cni_neg(side));
 	return most - least + 2.0f * set.radius;
 }
 
