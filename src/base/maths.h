@@ -52,9 +52,7 @@ static inline cni_rot cni_rot_between(cni_rot a, cni_rot b) { cni_rot q; q.c = a
 static inline cni_rot cni_rot_normalize(cni_rot q)
 {
 	float length = cni_sqrt(q.c * q.c + q.s * q.s);
-	cni_rot r;
-	r.c = q.c / length;
-	r.s = q.s / length;
+	cni_rot r = { q.c / length, q.s / length };
 	return r;
 }
 

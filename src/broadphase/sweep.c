@@ -75,12 +75,6 @@ static cni_broadphase *sweep_create(const cni_broadphase_context *context, int32
 
 /* ---- proxies ---- */
 
-static void mark(uint64_t *words, int32_t id, int32_t *count)
-{
-	*count += !cni_bit_get(words, id);
-	cni_bit_set(words, id);
-}
-
 static void unmark(uint64_t *words, int32_t id, int32_t *count)
 {
 	*count -= cni_bit_get(words, id);
@@ -90,7 +84,7 @@ static void unmark(uint64_t *words, int32_t id, int32_t *count)
 static void mark_moved(cni_sweep *sweep, int32_t id)
 {
 	cni_sweep_proxy(sweep, id)->flags |= CNI_PROXY_MOVED;
-	mark(cni_sweep_moved(sweep), id, &sweep->moved_count);
+	cni_sweep_mark(cni_sweep_moved(sweep), id, &sweep->moved_count);
 }
 
 static void sweep_add(cni_broadphase *broadphase, int32_t id)
@@ -104,7 +98,7 @@ static void sweep_add(cni_broadphase *broadphase, int32_t id)
 	++sweep->adds;
 	sweep->id_end = cni_max_i(sweep->id_end, id + 1);
 	mark_moved(sweep, id);
-	mark(cni_sweep_loose(sweep), id, &sweep->loose_count);
+	cni_sweep_mark(cni_sweep_loose(sweep), id, &sweep->loose_count);
 	/* Queries test loose proxies one by one, so their number between steps is bounded. */
 	if (sweep->loose_count > SETTLE_PENDING + sweep->count / 8)
 		cni_sweep_settle(sweep, NULL); /* outside a step the user's task system is not used */
@@ -130,8 +124,8 @@ static void sweep_remove(cni_broadphase *broadphase, int32_t id)
 static void sweep_move(cni_broadphase *broadphase, int32_t id)
 {
 	cni_sweep *sweep = sweep_of(broadphase);
-	mark(cni_sweep_moved(sweep), id, &sweep->moved_count);
-	mark(cni_sweep_loose(sweep), id, &sweep->loose_count);
+	cni_sweep_mark(cni_sweep_moved(sweep), id, &sweep->moved_count);
+	cni_sweep_mark(cni_sweep_loose(sweep), id, &sweep->loose_count);
 }
 
 static void sweep_touch(cni_broadphase *broadphase, int32_t id)

@@ -135,6 +135,13 @@ static inline cni_sweep_tile *cni_sweep_tile_at(const cni_sweep *sweep, int32_t 
 static inline uint64_t *cni_sweep_moved(const cni_sweep *sweep) { return (uint64_t *)sweep->moved.data; }
 static inline uint64_t *cni_sweep_loose(const cni_sweep *sweep) { return (uint64_t *)sweep->loose.data; }
 
+/* Adds an id to a set of this number of ids. */
+static inline void cni_sweep_mark(uint64_t *words, int32_t id, int32_t *count)
+{
+	*count += !cni_bit_get(words, id);
+	cni_bit_set(words, id);
+}
+
 static inline cni_team *cni_sweep_team(const cni_sweep *sweep) { return sweep->context.team == NULL ? NULL : *sweep->context.team; }
 
 /* begins: ascending first entries of consecutive jobs. Returns the first job that begins at or after an entry. */

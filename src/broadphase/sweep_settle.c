@@ -44,9 +44,7 @@ static void drop_entries(cni_sweep *sweep, const cni_sweep_tile *tile)
 	int32_t k;
 	for (k = 0; k < tile->count; ++k) {
 		cni_sweep_proxy(sweep, rows.id[k])->cell = CNI_NONE;
-		if (!cni_bit_get(cni_sweep_loose(sweep), rows.id[k]))
-			++sweep->loose_count;
-		cni_bit_set(cni_sweep_loose(sweep), rows.id[k]);
+		cni_sweep_mark(cni_sweep_loose(sweep), rows.id[k], &sweep->loose_count);
 	}
 }
 

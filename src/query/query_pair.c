@@ -173,8 +173,8 @@ cn_result cn_polygon_cast(const cn_polygon *a, const cn_pose *pose_a, const cn_p
 	return CN_OK;
 }
 
-/* Manifold of the pair; the pair functions take the smaller type first. */
-static void pair_manifold(const pair *p, float margin, cni_manifold *out)
+/* Manifold of the pair. The pair functions take the smaller type first: returns 1 if that is b. */
+static int32_t pair_manifold(const pair *p, float margin, cni_manifold *out)
 {
 	int32_t swapped = p->b.g.type < p->a.g.type;
 	cni_manifold_cache cache = { 0, 0, { 0, 0 } };
@@ -187,6 +187,7 @@ static void pair_manifold(const pair *p, float margin, cni_manifold *out)
 	}
 	memset(out, 0, sizeof *out);
 	cni_manifold_function(in.a->type, in.b->type)(&in, &cache, out);
+	return swapped;
 }
 
 cn_result cn_polygon_collide(const cn_polygon *a, const cn_pose *pose_a, const cn_polygon *b, const cn_pose *pose_b,
@@ -203,8 +204,7 @@ cn_result cn_polygon_collide(const cn_polygon *a, const cn_pose *pose_a, const c
 		cni_refuse(&call, CN_ERROR_ARGUMENT, "a single point must have a radius > 0");
 	if (call.result != CN_OK)
 		return call.result;
-	pair_manifold(&p, margin_m, &m);
-	swapped = p.b.g.type < p.a.g.type;
+	swapped = pair_manifold(&p, margin_m, &m);
 	memset(out, 0, sizeof *out);
 	out->point_count = m.count;
 	if (m.count > 0)
