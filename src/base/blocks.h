@@ -44,7 +44,6 @@ typedef struct cni_blocks {
 	/* The members from free_head to here are saved. */
 	cni_chunks next;          /* of a state that is about to be loaded: base/snapshot.c */
 	int32_t next_waits;       /* 1: there is such a table */
-	int32_t next_reserved;
 } cni_blocks;
 
 void cni_blocks_init(cni_blocks *blocks, cni_memory *memory);

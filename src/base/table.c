@@ -79,7 +79,6 @@ void cni_array_init(cni_array *array, int32_t item_bytes)
 	array->count = 0;
 	array->capacity = 0;
 	array->item_bytes = item_bytes;
-	array->reserved = 0;
 }
 
 void cni_array_deinit(cni_array *array, cni_memory *memory)

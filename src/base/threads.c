@@ -159,7 +159,6 @@ struct cni_team {
 	seat *seats;        /* one per worker */
 	thread *threads;    /* own threads, of workers 1 and up */
 	int32_t thread_count;
-	int32_t reserved;
 };
 
 /* ---- taking chunks ---- */

@@ -21,7 +21,6 @@ typedef struct cni_sweep_pass {
 	int32_t new_entries;   /* capacity of the largest dense tile whose entries are all new */
 	int32_t slot_room;     /* capacity of slots */
 	int32_t slot_count;    /* pairs found; only the first slot_room are written */
-	int32_t reserved;
 	float *scratch;        /* +inf and -inf for new entries (2 new_entries), then old boxes of the other dense tiles */
 	cni_pair *slots;       /* destination of pairs, NULL: the list. Each worker uses a copy of the pass with its own slots */
 } cni_sweep_pass;
