@@ -9,6 +9,7 @@
 #include <string.h>
 
 #define ARRAY_LARGE_BYTES 2048u
+/* Keeps the growth of the page pointers within an int32_t. */
 #define TABLE_PAGES_MAX (1 << 30)
 
 /* ------------------------------------------------------------------ table */
@@ -16,7 +17,9 @@
 void cni_table_init(cni_table *table, int32_t item_bytes, int32_t page_shift)
 {
 	CNI_ASSERT(item_bytes > 0 && page_shift >= 0 && page_shift < 31);
-	cni_array_init(&table->pages, (int32_t)sizeof(uint8_t *));
+	table->pages = NULL;
+	table->page_count = 0;
+	table->page_capacity = 0;
 	table->item_bytes = item_bytes;
 	table->page_shift = page_shift;
 }
@@ -30,9 +33,9 @@ void cni_table_deinit(cni_table *table, cni_memory *memory)
 {
 	int32_t i;
 
-	for (i = 0; i < table->pages.count; ++i)
-		cni_memory_free(memory, cni_table_pages(table)[i], table_page_bytes(table));
-	cni_array_deinit(&table->pages, memory);
+	for (i = 0; i < table->page_count; ++i)
+		cni_memory_free(memory, table->pages[i], table_page_bytes(table));
+	cni_memory_free(memory, table->pages, (uint64_t)table->page_capacity * sizeof *table->pages);
 	cni_table_init(table, table->item_bytes, table->page_shift);
 }
 
@@ -43,6 +46,18 @@ static int64_t table_pages_for(const cni_table *table, int32_t count)
 	return count > 0 ? ((int64_t)count + page_items - 1) >> table->page_shift : 0;
 }
 
+/* Grows the array of pages. */
+static int32_t table_reserve_pointers(cni_table *table, cni_memory *memory, int32_t page_count)
+{
+	cni_array pages = { table->pages, table->page_count, table->page_capacity, (int32_t)sizeof *table->pages };
+
+	if (!cni_array_reserve(&pages, memory, page_count))
+		return 0;
+	table->pages = (uint8_t **)pages.data;
+	table->page_capacity = pages.capacity;
+	return 1;
+}
+
 int32_t cni_table_grow(cni_table *table, cni_memory *memory, int32_t count)
 {
 	int64_t page_count = table_pages_for(table, count);
@@ -50,15 +65,15 @@ int32_t cni_table_grow(cni_table *table, cni_memory *memory, int32_t count)
 
 	if (page_count << table->page_shift > INT32_MAX || page_count > TABLE_PAGES_MAX)
 		return 0;
-	if (!cni_array_reserve(&table->pages, memory, (int32_t)page_count))
+	if (!table_reserve_pointers(table, memory, (int32_t)page_count))
 		return 0;
-	while (table->pages.count < page_count) {
+	while (table->page_count < page_count) {
 		uint8_t *page = (uint8_t *)cni_memory_alloc(memory, page_bytes);
 
 		if (page == NULL)
 			return 0;
 		memset(page, 0, (size_t)page_bytes);
-		cni_table_pages(table)[table->pages.count++] = page;
+		table->pages[table->page_count++] = page;
 	}
 	return 1;
 }
@@ -67,7 +82,7 @@ uint64_t cni_table_bytes_for(const cni_table *table, int32_t count)
 {
 	uint64_t page_count = (uint64_t)table_pages_for(table, count);
 
-	return page_count * cni_memory_rounded(table_page_bytes(table)) + cni_memory_rounded(page_count * sizeof(uint8_t *));
+	return page_count * cni_memory_rounded(table_page_bytes(table)) + cni_memory_rounded(page_count * sizeof *table->pages);
 }
 
 /* ------------------------------------------------------------------ array */

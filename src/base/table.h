@@ -14,6 +14,45 @@
 
 #include "base/memory.h"
 
+typedef struct cni_table {
+	uint8_t **pages;
+	int32_t page_count;
+	int32_t page_capacity; /* of the pages array */
+	int32_t item_bytes;
+	int32_t page_shift;    /* items in a page = 1 << page_shift */
+} cni_table;
+
+void cni_table_init(cni_table *table, int32_t item_bytes, int32_t page_shift);
+void cni_table_deinit(cni_table *table, cni_memory *memory);
+uint64_t cni_table_bytes_for(const cni_table *table, int32_t count);
+/* cni_table_reserve beyond the capacity. */
+int32_t cni_table_grow(cni_table *table, cni_memory *memory, int32_t count);
+
+static inline int32_t cni_table_capacity(const cni_table *table)
+{
+	return table->page_count << table->page_shift;
+}
+
+/* Makes room for items 0 .. count-1; 0 if there is no memory (items reserved before stay). New items are zeroed. */
+static inline int32_t cni_table_reserve(cni_table *table, cni_memory *memory, int32_t count)
+{
+	return count <= cni_table_capacity(table) || cni_table_grow(table, memory, count);
+}
+
+static inline void *cni_table_at(const cni_table *table, int32_t index)
+{
+	return table->pages[index >> table->page_shift] +
+	       (size_t)(index & ((1 << table->page_shift) - 1)) * (size_t)table->item_bytes;
+}
+
+/* The same for item and page sizes that are constants. Indices are not negative: as unsigned numbers they need no sign
+   extension. */
+static inline void *cni_table_at_sized(const cni_table *table, int32_t index, size_t item_bytes, int32_t page_shift)
+{
+	CNI_ASSERT(table->page_shift == page_shift);
+	return table->pages[(uint32_t)index >> page_shift] + (size_t)((uint32_t)index & ((1u << page_shift) - 1u)) * item_bytes;
+}
+
 typedef struct cni_array {
 	void *data;        /* 64-byte aligned */
 	int32_t count;     /* set by the owner: reserve preserves only items below count */
@@ -34,44 +73,5 @@ static inline int32_t cni_array_reserve(cni_array *array, cni_memory *memory, in
 
 /* The same without spare capacity, for counts that are known beforehand. */
 int32_t cni_array_reserve_exact(cni_array *array, cni_memory *memory, int32_t count);
-
-typedef struct cni_table {
-	cni_array pages;       /* their addresses */
-	int32_t item_bytes;
-	int32_t page_shift;    /* items in a page = 1 << page_shift */
-} cni_table;
-
-void cni_table_init(cni_table *table, int32_t item_bytes, int32_t page_shift);
-void cni_table_deinit(cni_table *table, cni_memory *memory);
-uint64_t cni_table_bytes_for(const cni_table *table, int32_t count);
-/* cni_table_reserve beyond the capacity. */
-int32_t cni_table_grow(cni_table *table, cni_memory *memory, int32_t count);
-
-static inline int32_t cni_table_capacity(const cni_table *table)
-{
-	return table->pages.count << table->page_shift;
-}
-
-/* Makes room for items 0 .. count-1; 0 if there is no memory (items reserved before stay). New items are zeroed. */
-static inline int32_t cni_table_reserve(cni_table *table, cni_memory *memory, int32_t count)
-{
-	return count <= cni_table_capacity(table) || cni_table_grow(table, memory, count);
-}
-
-static inline uint8_t **cni_table_pages(const cni_table *table) { return (uint8_t **)table->pages.data; }
-
-static inline void *cni_table_at(const cni_table *table, int32_t index)
-{
-	return cni_table_pages(table)[index >> table->page_shift] +
-	       (size_t)(index & ((1 << table->page_shift) - 1)) * (size_t)table->item_bytes;
-}
-
-/* The same for item and page sizes that are constants. Indices are not negative: as unsigned numbers they need no sign
-   extension. */
-static inline void *cni_table_at_sized(const cni_table *table, int32_t index, size_t item_bytes, int32_t page_shift)
-{
-	CNI_ASSERT(table->page_shift == page_shift);
-	return cni_table_pages(table)[(uint32_t)index >> page_shift] + (size_t)((uint32_t)index & ((1u << page_shift) - 1u)) * item_bytes;
-}
 
 #endif

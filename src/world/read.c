@@ -89,7 +89,7 @@ static const cn_body_moved *page_item(uint8_t *const *pages, uint32_t body)
 /* From the readback. The first two loops need no search; compilers would reload the table's pages after each write to out. */
 static void copy_poses(const cn_world *world, const cn_body *bodies, int32_t count, uint8_t *out, size_t stride)
 {
-	uint8_t *const *pages = cni_table_pages(&world->readback);
+	uint8_t *const *pages = world->readback.pages;
 	walk w = walk_begin(world, bodies);
 	int32_t k;
 	if (bodies != NULL && world->body_handles.aliases.count == 0)
@@ -237,7 +237,7 @@ static void moved_copy_awake(const cn_world *world, cni_array *moved)
 {
 	const int32_t *ids = cni_awake_ids(world);
 	cn_body_moved *out = (cn_body_moved *)moved->data + moved->count;
-	uint8_t *const *pages = cni_table_pages(&world->readback);
+	uint8_t *const *pages = world->readback.pages;
 	uint32_t step = world->step_count;
 	int32_t k, count = world->awake_count;
 	for (k = 1; k < count; ++k) {

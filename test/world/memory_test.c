@@ -180,7 +180,7 @@ static uint64_t print_row(const char *owner, uint64_t capacity, uint64_t used)
 
 static uint64_t table_row(const char *owner, const cni_table *table, int32_t used)
 {
-	uint64_t bytes = (uint64_t)table->pages.count * ((uint64_t)table->item_bytes << table->page_shift) + (uint64_t)table->pages.capacity * sizeof(void *);
+	uint64_t bytes = (uint64_t)table->page_count * ((uint64_t)table->item_bytes << table->page_shift) + (uint64_t)table->page_capacity * sizeof(void *);
 	return print_row(owner, bytes, (uint64_t)used * (uint64_t)table->item_bytes);
 }
 
