@@ -31,7 +31,6 @@ typedef struct cni_arena {
 	uint64_t high_water; /* most in_use since creation */
 	uint64_t fallbacks;  /* entries served by the fallback since creation */
 	int32_t entry_count;
-	int32_t reserved;
 	cni_arena_entry entries[CNI_ARENA_ENTRIES];
 } cni_arena;
 

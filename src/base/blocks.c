@@ -14,9 +14,9 @@
  *
  * Free pieces are never split for a smaller class: pieces that cni_blocks_reserve set aside for a class stay in that class.
  *
- * Chunk 0 does not exist, so ref 0 names nothing. The table is one piece of memory (chunk_bytes first, then chunks), so that
+ * Chunk 0 does not exist, so ref 0 names nothing. The table is one piece of memory (bytes first, then addresses), so that
  * its growth is one allocation that succeeds or changes nothing. The index of a freed large piece is reused; until then
- * chunk_bytes links it to the next such index.
+ * its bytes link it to the next such index.
  */
 #include "base/blocks.h"
 
@@ -54,41 +54,61 @@ void cni_blocks_init(cni_blocks *blocks, cni_memory *memory)
 	blocks->memory = memory;
 }
 
+/* ------------------------------------------------------------------ chunk tables */
+
+/* An empty table with room for this many chunks; 0: no memory. */
+static int32_t table_make(cni_blocks *blocks, cni_chunks *out, int32_t capacity)
+{
+	memset(out, 0, sizeof *out);
+	out->capacity = (capacity + 7) & ~7;
+	if (capacity == 0)
+		return 1;
+	out->bytes = (uint64_t *)cni_memory_alloc(blocks->memory, (uint64_t)out->capacity * CHUNK_SLOT_BYTES);
+	if (out->bytes == NULL)
+		return 0;
+	out->at = (uint8_t **)(void *)(out->bytes + out->capacity);
+	memset(out->bytes, 0, (size_t)out->capacity * CHUNK_SLOT_BYTES);
+	return 1;
+}
+
+static void table_free(cni_blocks *blocks, cni_chunks *table)
+{
+	cni_memory_free(blocks->memory, table->bytes, (uint64_t)table->capacity * CHUNK_SLOT_BYTES);
+	memset(table, 0, sizeof *table);
+}
+
+/* Frees a table and the chunks that the other table does not share. */
+static void table_drop(cni_blocks *blocks, cni_chunks *table, const cni_chunks *other)
+{
+	int32_t k;
+
+	for (k = 0; k < table->count; ++k)
+		if (table->at[k] != NULL && !(k < other->count && table->at[k] == other->at[k]))
+			cni_memory_free(blocks->memory, table->at[k], table->bytes[k]);
+	table_free(blocks, table);
+}
+
 void cni_blocks_deinit(cni_blocks *blocks)
 {
-	int32_t i;
-
-	for (i = 0; i < blocks->chunk_count; ++i)
-		if (blocks->chunks[i] != NULL)
-			cni_memory_free(blocks->memory, blocks->chunks[i], blocks->chunk_bytes[i]);
-	cni_memory_free(blocks->memory, blocks->chunk_bytes, (uint64_t)blocks->chunk_capacity * CHUNK_SLOT_BYTES);
+	CNI_ASSERT(!blocks->next_waits);
+	table_drop(blocks, &blocks->chunks, &blocks->next);
 	cni_blocks_init(blocks, blocks->memory);
 }
 
-/* ------------------------------------------------------------------ chunk table */
-
 static int32_t table_grow(cni_blocks *blocks)
 {
-	size_t count = (size_t)blocks->chunk_count;
-	int32_t capacity = (blocks->chunk_capacity + blocks->chunk_capacity / 2 + 8) & ~7;
-	uint64_t *sizes = (uint64_t *)cni_memory_alloc(blocks->memory, (uint64_t)capacity * CHUNK_SLOT_BYTES);
-	uint8_t **chunks;
+	cni_chunks *old = &blocks->chunks, grown;
+	size_t count = (size_t)old->count;
 
-	if (sizes == NULL)
+	if (!table_make(blocks, &grown, old->capacity + old->capacity / 2 + 1))
 		return 0;
-	chunks = (uint8_t **)(void *)(sizes + capacity);
 	if (count > 0) {
-		memcpy(sizes, blocks->chunk_bytes, count * sizeof *sizes);
-		memcpy(chunks, blocks->chunks, count * sizeof *chunks);
-	} else {
-		sizes[0] = 0;
-		chunks[0] = NULL;
-		blocks->chunk_count = 1;
+		memcpy(grown.bytes, old->bytes, count * sizeof *grown.bytes);
+		memcpy(grown.at, old->at, count * sizeof *grown.at);
 	}
-	cni_memory_free(blocks->memory, blocks->chunk_bytes, (uint64_t)blocks->chunk_capacity * CHUNK_SLOT_BYTES);
-	blocks->chunk_bytes = sizes;
-	blocks->chunks = chunks;
-	blocks->chunk_capacity = capacity;
+	grown.count = count > 0 ? old->count : 1;
+	table_free(blocks, old);
+	*old = grown;
 	return 1;
 }
 
@@ -97,9 +117,9 @@ static int32_t slot_reserve(cni_blocks *blocks)
 {
 	if (blocks->empty_slot != 0)
 		return 1;
-	if (blocks->chunk_count == CHUNK_INDEX_COUNT)
+	if (blocks->chunks.count == CHUNK_INDEX_COUNT)
 		return 0;
-	return blocks->chunk_count < blocks->chunk_capacity || table_grow(blocks);
+	return blocks->chunks.count < blocks->chunks.capacity || table_grow(blocks);
 }
 
 static int32_t slot_take(cni_blocks *blocks, uint8_t *chunk, uint64_t bytes)
@@ -107,11 +127,11 @@ static int32_t slot_take(cni_blocks *blocks, uint8_t *chunk, uint64_t bytes)
 	int32_t slot = blocks->empty_slot;
 
 	if (slot != 0)
-		blocks->empty_slot = (int32_t)blocks->chunk_bytes[slot];
+		blocks->empty_slot = (int32_t)blocks->chunks.bytes[slot];
 	else
-		slot = blocks->chunk_count++;
-	blocks->chunks[slot] = chunk;
-	blocks->chunk_bytes[slot] = bytes;
+		slot = blocks->chunks.count++;
+	blocks->chunks.at[slot] = chunk;
+	blocks->chunks.bytes[slot] = bytes;
 	return slot;
 }
 
@@ -128,76 +148,40 @@ static uint8_t *chunk_alloc(cni_blocks *blocks, uint64_t bytes)
 
 int32_t cni_blocks_next_begin(cni_blocks *blocks, int32_t count)
 {
-	int32_t capacity = (count + 7) & ~7;
-
 	CNI_ASSERT(!blocks->next_waits);
-	if (capacity > 0) {
-		blocks->next_bytes = (uint64_t *)cni_memory_alloc(blocks->memory, (uint64_t)capacity * CHUNK_SLOT_BYTES);
-		if (blocks->next_bytes == NULL)
-			return 0;
-		blocks->next_chunks = (uint8_t **)(void *)(blocks->next_bytes + capacity);
-		memset(blocks->next_bytes, 0, (size_t)capacity * CHUNK_SLOT_BYTES);
-	}
-	blocks->next_count = count;
-	blocks->next_capacity = capacity;
+	if (!table_make(blocks, &blocks->next, count))
+		return 0;
+	blocks->next.count = count;
 	blocks->next_waits = 1;
 	return 1;
 }
 
-static void next_clear(cni_blocks *blocks)
-{
-	blocks->next_bytes = NULL;
-	blocks->next_chunks = NULL;
-	blocks->next_count = 0;
-	blocks->next_capacity = 0;
-	blocks->next_waits = 0;
-}
-
-static int32_t chunk_is_shared(const cni_blocks *blocks, int32_t slot)
-{
-	return slot < blocks->chunk_count && slot < blocks->next_count && blocks->chunks[slot] == blocks->next_chunks[slot];
-}
-
 int32_t cni_blocks_next_set(cni_blocks *blocks, int32_t slot, uint64_t bytes)
 {
-	blocks->next_bytes[slot] = bytes;
+	const cni_chunks *now = &blocks->chunks;
+	int32_t is_shared = slot < now->count && now->at[slot] != NULL && now->bytes[slot] == bytes;
+
+	blocks->next.bytes[slot] = bytes;
 	if (bytes == 0)
 		return 1;
-	if (slot < blocks->chunk_count && blocks->chunks[slot] != NULL && blocks->chunk_bytes[slot] == bytes)
-		blocks->next_chunks[slot] = blocks->chunks[slot];
-	else
-		blocks->next_chunks[slot] = chunk_alloc(blocks, bytes);
-	return blocks->next_chunks[slot] != NULL;
+	blocks->next.at[slot] = is_shared ? now->at[slot] : chunk_alloc(blocks, bytes);
+	return blocks->next.at[slot] != NULL;
 }
 
 void cni_blocks_next_take(cni_blocks *blocks)
 {
-	int32_t k;
-
 	if (!blocks->next_waits)
 		return;
-	for (k = 0; k < blocks->chunk_count; ++k)
-		if (blocks->chunks[k] != NULL && !chunk_is_shared(blocks, k))
-			cni_memory_free(blocks->memory, blocks->chunks[k], blocks->chunk_bytes[k]);
-	cni_memory_free(blocks->memory, blocks->chunk_bytes, (uint64_t)blocks->chunk_capacity * CHUNK_SLOT_BYTES);
-	blocks->chunk_bytes = blocks->next_bytes;
-	blocks->chunks = blocks->next_chunks;
-	blocks->chunk_count = blocks->next_count;
-	blocks->chunk_capacity = blocks->next_capacity;
-	next_clear(blocks);
+	table_drop(blocks, &blocks->chunks, &blocks->next);
+	blocks->chunks = blocks->next;
+	memset(&blocks->next, 0, sizeof blocks->next);
+	blocks->next_waits = 0;
 }
 
 void cni_blocks_next_drop(cni_blocks *blocks)
 {
-	int32_t k;
-
-	if (!blocks->next_waits)
-		return;
-	for (k = 0; k < blocks->next_count; ++k)
-		if (blocks->next_chunks[k] != NULL && !chunk_is_shared(blocks, k))
-			cni_memory_free(blocks->memory, blocks->next_chunks[k], blocks->next_bytes[k]);
-	cni_memory_free(blocks->memory, blocks->next_bytes, (uint64_t)blocks->next_capacity * CHUNK_SLOT_BYTES);
-	next_clear(blocks);
+	table_drop(blocks, &blocks->next, &blocks->chunks);
+	blocks->next_waits = 0;
 }
 
 /* ------------------------------------------------------------------ large pieces */
@@ -220,12 +204,12 @@ static void large_free(cni_blocks *blocks, cni_ref ref, uint64_t bytes)
 {
 	int32_t slot = (int32_t)(ref >> 12);
 
-	CNI_ASSERT((ref & 4095u) == 0 && blocks->chunk_bytes[slot] == cni_memory_rounded(bytes));
+	CNI_ASSERT((ref & 4095u) == 0 && blocks->chunks.bytes[slot] == cni_memory_rounded(bytes));
 	(void)bytes;
-	blocks->bytes_large -= blocks->chunk_bytes[slot];
-	cni_memory_free(blocks->memory, blocks->chunks[slot], blocks->chunk_bytes[slot]);
-	blocks->chunks[slot] = NULL;
-	blocks->chunk_bytes[slot] = (uint64_t)blocks->empty_slot;
+	blocks->bytes_large -= blocks->chunks.bytes[slot];
+	cni_memory_free(blocks->memory, blocks->chunks.at[slot], blocks->chunks.bytes[slot]);
+	blocks->chunks.at[slot] = NULL;
+	blocks->chunks.bytes[slot] = (uint64_t)blocks->empty_slot;
 	blocks->empty_slot = slot;
 }
 

@@ -22,12 +22,16 @@
 
 typedef uint32_t cni_ref;
 
+typedef struct cni_chunks {
+	uint8_t **at;             /* address of each chunk, NULL where a large piece was freed */
+	uint64_t *bytes;
+	int32_t count;
+	int32_t capacity;
+} cni_chunks;
+
 typedef struct cni_blocks {
 	cni_memory *memory;
-	uint8_t **chunks;         /* address of each chunk, NULL where a large piece was freed */
-	uint64_t *chunk_bytes;
-	int32_t chunk_count;
-	int32_t chunk_capacity;
+	cni_chunks chunks;
 	cni_ref free_head[CNI_BLOCK_CLASSES]; /* next ref is stored in the first 4 bytes of a free piece */
 	int32_t free_count[CNI_BLOCK_CLASSES];
 	int32_t empty_slot;       /* first chunk index of a freed large piece, 0 for none */
@@ -37,13 +41,9 @@ typedef struct cni_blocks {
 	uint64_t bytes_in_chunks; /* class chunks */
 	uint64_t bytes_in_use;    /* pieces, rounded up to their class */
 	uint64_t bytes_large;
-	/* The members from free_head to here are saved. The table of chunks of a state that is about to be loaded: base/snapshot.c. */
-	uint64_t *next_bytes;
-	uint8_t **next_chunks;
-	int32_t next_count;
-	int32_t next_capacity;    /* 0: there is no such table, or next_count is 0 */
+	/* The members from free_head to here are saved. */
+	cni_chunks next;          /* of a state that is about to be loaded: base/snapshot.c */
 	int32_t next_waits;       /* 1: there is such a table */
-	int32_t next_reserved;
 } cni_blocks;
 
 void cni_blocks_init(cni_blocks *blocks, cni_memory *memory);
@@ -70,7 +70,7 @@ void cni_blocks_next_drop(cni_blocks *blocks);
 
 static inline void *cni_blocks_at(const cni_blocks *blocks, cni_ref ref)
 {
-	return blocks->chunks[ref >> 12] + (size_t)(ref & 4095u) * CNI_BLOCK_UNIT;
+	return blocks->chunks.at[ref >> 12] + (size_t)(ref & 4095u) * CNI_BLOCK_UNIT;
 }
 
 #endif

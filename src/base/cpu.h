@@ -24,4 +24,13 @@
 /* 1 when this processor and operating system run AVX2. */
 int32_t cni_cpu_has_avx2(void);
 
+/* Of the kernels of one task, that for the widest vectors that this build and this processor support. */
+#if CNI_HAS_WIDE_8
+#define CNI_WIDEST(plain, four, eight) (cni_cpu_has_avx2() ? (eight) : (four))
+#elif CNI_HAS_WIDE_4
+#define CNI_WIDEST(plain, four, eight) (four)
+#else
+#define CNI_WIDEST(plain, four, eight) (plain)
+#endif
+
 #endif

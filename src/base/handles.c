@@ -314,8 +314,3 @@ int32_t cni_handles_alive(const cni_handles *handles, int32_t slot)
 {
 	return slot >= 0 && slot < handles->slots.count && (slots_of(handles)[slot] & ALIVE_BIT) != 0;
 }
-
-int32_t cni_handles_used(const cni_handles *handles)
-{
-	return handles->slots.count;
-}

@@ -63,7 +63,7 @@ int32_t cni_handles_alias_of(const cni_handles *handles, int32_t slot);
 uint32_t cni_handles_of(const cni_handles *handles, int32_t slot);
 int32_t cni_handles_alive(const cni_handles *handles, int32_t slot);
 /* One past the highest slot ever taken. */
-int32_t cni_handles_used(const cni_handles *handles);
+static inline int32_t cni_handles_used(const cni_handles *handles) { return handles->slots.count; }
 
 /* From the word of a slot. */
 static inline int32_t cni_slot_is_alive(uint32_t word) { return (word & CNI_HANDLE_ALIVE_BIT) != 0; }

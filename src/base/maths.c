@@ -111,13 +111,10 @@ cni_rot cni_sincos(float angle_rad)
 {
 	float r, u, s, c;
 	uint32_t quarter;
-	cni_rot q;
+	cni_rot q = { 1.0f, angle_rad };
 
-	if (cni_abs(angle_rad) <= CNI_TINY_RAD) {
-		q.c = 1.0f;
-		q.s = angle_rad;
+	if (cni_abs(angle_rad) <= CNI_TINY_RAD)
 		return q;
-	}
 	quarter = reduce_quarter(angle_rad, &r);
 	u = r * r;
 	s = r + r * u * (CNI_SINE_3 + u * (CNI_SINE_5 + u * CNI_SINE_7));

@@ -52,9 +52,7 @@ static inline cni_rot cni_rot_between(cni_rot a, cni_rot b) { cni_rot q; q.c = a
 static inline cni_rot cni_rot_normalize(cni_rot q)
 {
 	float length = cni_sqrt(q.c * q.c + q.s * q.s);
-	cni_rot r;
-	r.c = q.c / length;
-	r.s = q.s / length;
+	cni_rot r = { q.c / length, q.s / length };
 	return r;
 }
 
@@ -73,11 +71,17 @@ static inline float cni_segment_fraction(cni_vec2 p, cni_vec2 a, cni_vec2 edge)
 	float length_sq = cni_length_sq(edge);
 	return length_sq > 0.0f ? cni_clamp(cni_dot(cni_sub(p, a), edge) / length_sq, 0.0f, 1.0f) : 0.0f;
 }
+static inline cni_vec2 cni_segment_nearest(cni_vec2 p, cni_vec2 a, cni_vec2 edge) { return cni_madd(a, cni_segment_fraction(p, a, edge), edge); }
 
 typedef struct cni_aabb { float x0, y0, x1, y1; } cni_aabb;
 static inline int32_t cni_aabb_overlap(const cni_aabb *a, const cni_aabb *b)
 {
 	return a->x0 <= b->x1 && b->x0 <= a->x1 && a->y0 <= b->y1 && b->y0 <= a->y1;
+}
+/* Without branches, where results are unpredictable. */
+static inline int32_t cni_aabb_overlap_branchless(const cni_aabb *a, const cni_aabb *b)
+{
+	return (a->x0 <= b->x1) & (b->x0 <= a->x1) & (a->y0 <= b->y1) & (b->y0 <= a->y1);
 }
 static inline int32_t cni_aabb_contains(const cni_aabb *outer, const cni_aabb *inner)
 {

@@ -25,7 +25,6 @@ typedef struct cni_memory {
 	void *user;
 	cni_hole *holes;    /* fixed block only: first hole in address order */
 	int32_t fixed;
-	int32_t reserved;
 	uint64_t bytes_in_use;
 	uint64_t bytes_peak;
 	uint64_t calls;     /* allocations, successful or not */

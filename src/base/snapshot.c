@@ -11,12 +11,7 @@
 
 cni_snapshot cni_snapshot_begin(int32_t mode, void *bytes, cni_memory *memory)
 {
-	cni_snapshot s;
-	s.at = (uint8_t *)bytes;
-	s.bytes = 0;
-	s.memory = memory;
-	s.mode = mode;
-	s.failed = 0;
+	cni_snapshot s = { (uint8_t *)bytes, 0, memory, mode, 0 };
 	return s;
 }
 
@@ -91,23 +86,23 @@ void cni_snapshot_table(cni_snapshot *s, cni_table *table, int32_t used)
 /* Carved bytes of a chunk: the part before the tail, or all. */
 static uint64_t chunk_used(const cni_blocks *blocks, int32_t slot)
 {
-	if (blocks->chunks[slot] == NULL)
+	if (blocks->chunks.at[slot] == NULL)
 		return 0;
 	if (blocks->tail_units > 0 && (int32_t)(blocks->tail >> 12) == slot)
 		return (uint64_t)(blocks->tail & 4095u) * CNI_BLOCK_UNIT;
-	return blocks->chunk_bytes[slot];
+	return blocks->chunks.bytes[slot];
 }
 
 /* Bytes of a chunk, 0: there is none. */
 static uint64_t chunk_size(const cni_blocks *blocks, int32_t slot)
 {
-	return slot < blocks->chunk_count && blocks->chunks[slot] != NULL ? blocks->chunk_bytes[slot] : 0;
+	return slot < blocks->chunks.count && blocks->chunks.at[slot] != NULL ? blocks->chunks.bytes[slot] : 0;
 }
 
 /* Reserves chunks of the sizes that follow in the bytes. */
 static void chunks_reserve(cni_snapshot *s, cni_blocks *blocks, int32_t count)
 {
-	int32_t k, same = count == blocks->chunk_count;
+	int32_t k, same = count == blocks->chunks.count;
 	uint64_t size;
 	for (k = 0; k < count && same; ++k) {
 		memcpy(&size, s->at + (size_t)k * 2 * sizeof size, sizeof size);
@@ -131,19 +126,19 @@ static void chunk_pass(cni_snapshot *s, cni_blocks *blocks, int32_t slot, uint64
 	uint64_t entry[2] = { 0, 0 };
 	if (s->mode == CNI_SNAPSHOT_SAVE) {
 		entry[0] = chunk_size(blocks, slot);
-		entry[1] = entry[0] != 0 ? chunk_used(blocks, slot) : blocks->chunk_bytes[slot];
+		entry[1] = entry[0] != 0 ? chunk_used(blocks, slot) : blocks->chunks.bytes[slot];
 	} else if (s->mode != CNI_SNAPSHOT_MEASURE) {
 		memcpy(entry, s->at, sizeof entry);
 	}
 	if (s->mode == CNI_SNAPSHOT_LOAD && entry[0] == 0)
-		blocks->chunk_bytes[slot] = entry[1];
+		blocks->chunks.bytes[slot] = entry[1];
 	*used = s->mode == CNI_SNAPSHOT_MEASURE ? chunk_used(blocks, slot) : entry[0] != 0 ? entry[1] : 0;
 	cni_snapshot_state(s, entry, sizeof entry);
 }
 
 void cni_snapshot_blocks(cni_snapshot *s, cni_blocks *blocks)
 {
-	int32_t count = cni_snapshot_number(s, blocks->chunk_count), k;
+	int32_t count = cni_snapshot_number(s, blocks->chunks.count), k;
 	uint8_t *entries = s->at;
 	uint64_t used, all = 0;
 	if (cni_snapshot_reserves(s))
@@ -160,8 +155,8 @@ void cni_snapshot_blocks(cni_snapshot *s, cni_blocks *blocks)
 		pass(s, all);
 	for (k = 0; k < count && copies(s); ++k) {
 		memcpy(&used, entries + (2 * (size_t)k + 1) * sizeof used, sizeof used);
-		if (blocks->chunks[k] != NULL)
-			cni_snapshot_state(s, blocks->chunks[k], used);
+		if (blocks->chunks.at[k] != NULL)
+			cni_snapshot_state(s, blocks->chunks.at[k], used);
 	}
-	cni_snapshot_members(s, blocks, offsetof(cni_blocks, free_head), offsetof(cni_blocks, next_bytes));
+	cni_snapshot_members(s, blocks, offsetof(cni_blocks, free_head), offsetof(cni_blocks, next));
 }

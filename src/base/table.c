@@ -46,30 +46,15 @@ static int64_t table_pages_for(const cni_table *table, int32_t count)
 	return count > 0 ? ((int64_t)count + page_items - 1) >> table->page_shift : 0;
 }
 
-/* Page pointers fill whole cache lines, the unit of cni_memory. */
-static int64_t table_pointers_rounded(int64_t count)
-{
-	int64_t line = (int64_t)(CNI_MEMORY_ALIGN / sizeof(uint8_t *));
-
-	return (count + line - 1) / line * line;
-}
-
+/* Grows the array of pages. */
 static int32_t table_reserve_pointers(cni_table *table, cni_memory *memory, int32_t page_count)
 {
-	int32_t grown = table->page_capacity + table->page_capacity / 2;
-	int32_t capacity = (int32_t)table_pointers_rounded(page_count > grown ? page_count : grown);
-	uint8_t **pages;
+	cni_array pages = { table->pages, table->page_count, table->page_capacity, (int32_t)sizeof *table->pages };
 
-	if (page_count <= table->page_capacity)
-		return 1;
-	pages = (uint8_t **)cni_memory_alloc(memory, (uint64_t)capacity * sizeof *pages);
-	if (pages == NULL)
+	if (!cni_array_reserve(&pages, memory, page_count))
 		return 0;
-	if (table->page_count > 0)
-		memcpy(pages, table->pages, (size_t)table->page_count * sizeof *pages);
-	cni_memory_free(memory, table->pages, (uint64_t)table->page_capacity * sizeof *pages);
-	table->pages = pages;
-	table->page_capacity = capacity;
+	table->pages = (uint8_t **)pages.data;
+	table->page_capacity = pages.capacity;
 	return 1;
 }
 
@@ -95,10 +80,9 @@ int32_t cni_table_grow(cni_table *table, cni_memory *memory, int32_t count)
 
 uint64_t cni_table_bytes_for(const cni_table *table, int32_t count)
 {
-	int64_t page_count = table_pages_for(table, count);
-	uint64_t pointers = (uint64_t)table_pointers_rounded(page_count);
+	uint64_t page_count = (uint64_t)table_pages_for(table, count);
 
-	return (uint64_t)page_count * cni_memory_rounded(table_page_bytes(table)) + pointers * sizeof *table->pages;
+	return page_count * cni_memory_rounded(table_page_bytes(table)) + cni_memory_rounded(page_count * sizeof *table->pages);
 }
 
 /* ------------------------------------------------------------------ array */
@@ -110,7 +94,6 @@ void cni_array_init(cni_array *array, int32_t item_bytes)
 	array->count = 0;
 	array->capacity = 0;
 	array->item_bytes = item_bytes;
-	array->reserved = 0;
 }
 
 void cni_array_deinit(cni_array *array, cni_memory *memory)

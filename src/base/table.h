@@ -58,7 +58,6 @@ typedef struct cni_array {
 	int32_t count;     /* set by the owner: reserve preserves only items below count */
 	int32_t capacity;
 	int32_t item_bytes;
-	int32_t reserved;
 } cni_array;
 
 void cni_array_init(cni_array *array, int32_t item_bytes);

@@ -159,7 +159,6 @@ struct cni_team {
 	seat *seats;        /* one per worker */
 	thread *threads;    /* own threads, of workers 1 and up */
 	int32_t thread_count;
-	int32_t reserved;
 };
 
 /* ---- taking chunks ---- */
@@ -314,18 +313,15 @@ static int32_t workers_here(const cni_team *team)
 	return team->enqueue == NULL ? team->worker_count : cni_min_i((int32_t)cni_atomic_load(&team->arrived), team->worker_count);
 }
 
-static void loop_share(cni_team *team, int32_t item_count, int32_t ranges, cni_range_fn *fn, void *context)
+/* of.chunk_count: at most so many. */
+static void loop_share(cni_team *team, loop of)
 {
-	int32_t runs = cni_min_i(workers_here(team), ranges);
-	loop of;
+	int32_t runs = cni_min_i(workers_here(team), of.chunk_count);
 	if (runs < 2) {
-		fn(context, 0, item_count, 0);
+		of.fn(of.context, 0, of.item_count, 0);
 		return;
 	}
-	of.fn = fn;
-	of.context = context;
-	of.item_count = item_count;
-	of.chunk_count = cni_min_i(ranges, runs * CHUNKS_A_RUN);
+	of.chunk_count = cni_min_i(of.chunk_count, runs * CHUNKS_A_RUN);
 	cni_atomic_store(&team->done, 0);
 	seats_fill(team, &of, runs);
 	chunks_finish(team, (uint32_t)of.chunk_count);
@@ -333,36 +329,28 @@ static void loop_share(cni_team *team, int32_t item_count, int32_t ranges, cni_r
 
 typedef struct single_loop {
 	cni_team *team;
-	cni_range_fn *fn;
-	void *context;
-	int32_t item_count, ranges;
+	loop of;
 } single_loop;
 
 static void single_loop_lead(void *context)
 {
 	const single_loop *l = (const single_loop *)context;
-	loop_share(l->team, l->item_count, l->ranges, l->fn, l->context);
+	loop_share(l->team, l->of);
 }
 
 void cni_team_for(cni_team *team, int32_t item_count, int32_t min_range, cni_range_fn *fn, void *context)
 {
-	single_loop l;
 	if (item_count <= 0)
 		return;
 	if (team == NULL || item_count / 2 < min_range) {
 		fn(context, 0, item_count, 0);
 		return;
 	}
-	if (team->open) {
-		loop_share(team, item_count, item_count / min_range, fn, context);
-		return;
-	}
-	l.team = team;
-	l.fn = fn;
-	l.context = context;
-	l.item_count = item_count;
-	l.ranges = item_count / min_range;
-	cni_team_run(team, single_loop_lead, &l);
+	single_loop l = { team, { fn, context, item_count, item_count / min_range } };
+	if (team->open)
+		loop_share(team, l.of);
+	else
+		cni_team_run(team, single_loop_lead, &l);
 }
 
 void cni_team_hold(cni_team *team, int32_t on)

@@ -39,7 +39,6 @@ typedef struct cni_broadphase_pairs {
 	int32_t mode;          /* of the running search: CNI_PAIRS_MODE_ of pair_list.h */
 	uint32_t seed;         /* set by the caller: another one leaves out other pairs */
 	int32_t limit;         /* new pairs beyond which there is a crowd */
-	int32_t reserved;
 	int32_t *degrees;      /* scratch in a crowd: two per proxy id, with other and with fixed proxies: counts, then thresholds */
 	/* The caller's filter; NULL wants all pairs. update calls it only when the list is full, so that no memory goes to pairs
 	   that the caller would drop; otherwise the caller culls. Called only in the thread that called update. */
@@ -69,7 +68,6 @@ typedef struct cni_broadphase_context {
 	cni_table *proxies;    /* cni_proxy by id */
 	cni_team *const *team; /* points to the team that may share update and settle; NULL: the caller works alone */
 	float length_unit;
-	int32_t reserved;
 } cni_broadphase_context;
 
 typedef struct cni_broadphase cni_broadphase; /* each implementation's own state */

@@ -159,13 +159,9 @@ static void retry_lost(tree_broadphase *b)
 static void tree_update(cni_broadphase *broadphase, cni_pair_filter_fn *filter, const void *filter_context, cni_broadphase_pairs *out)
 {
 	tree_broadphase *b = tree_of(broadphase);
-	pair_pass pass;
+	pair_pass pass = { b, filter, filter_context, out };
 	cni_pairs_begin(out, b->tree.count);
 	tree_settle(broadphase);
-	pass.broadphase = b;
-	pass.filter = filter;
-	pass.filter_context = filter_context;
-	pass.out = out;
 	do {
 		cni_tree_pairs(&b->tree, pair_found, &pass);
 	} while (cni_pairs_search_again(out, b->context.arena, b->tree.places.count));

@@ -117,20 +117,14 @@ static int32_t list_grow(cni_broadphase_pairs *pairs, cni_memory *memory) { retu
 void cni_pairs_add(cni_broadphase_pairs *pairs, cni_memory *memory, int32_t a, int32_t b, cni_proxy *moved)
 {
 	cni_pair *pair;
-	if (list_is_full(pairs) && pairs->wanted != NULL && !pairs->culled && (memory->fixed || !list_grow(pairs, memory)))
+	int32_t may_cull = pairs->wanted != NULL && !pairs->culled;
+	if (may_cull && (pairs->list.count == pairs->limit || (list_is_full(pairs) && (memory->fixed || !list_grow(pairs, memory)))))
 		cni_pairs_cull(pairs);
 	if (pairs->culled && !pairs->wanted(pairs->wanted_context, cni_min_i(a, b), cni_max_i(a, b)))
 		return;
 	if (pairs->list.count == pairs->limit) {
-		if (pairs->wanted != NULL && !pairs->culled) {
-			cni_pairs_cull(pairs);
-			if (!pairs->wanted(pairs->wanted_context, cni_min_i(a, b), cni_max_i(a, b)))
-				return;
-		}
-		if (pairs->list.count == pairs->limit) {
-			pairs->mode = CNI_PAIRS_MODE_STOPPED;
-			return;
-		}
+		pairs->mode = CNI_PAIRS_MODE_STOPPED;
+		return;
 	}
 	/* After one failed allocation the update does not try again. */
 	if (list_is_full(pairs) && (pairs->pairs_lost > 0 || !list_grow(pairs, memory))) {

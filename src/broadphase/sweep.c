@@ -75,12 +75,6 @@ static cni_broadphase *sweep_create(const cni_broadphase_context *context, int32
 
 /* ---- proxies ---- */
 
-static void mark(uint64_t *words, int32_t id, int32_t *count)
-{
-	*count += !cni_bit_get(words, id);
-	cni_bit_set(words, id);
-}
-
 static void unmark(uint64_t *words, int32_t id, int32_t *count)
 {
 	*count -= cni_bit_get(words, id);
@@ -90,7 +84,7 @@ static void unmark(uint64_t *words, int32_t id, int32_t *count)
 static void mark_moved(cni_sweep *sweep, int32_t id)
 {
 	cni_sweep_proxy(sweep, id)->flags |= CNI_PROXY_MOVED;
-	mark(cni_sweep_moved(sweep), id, &sweep->moved_count);
+	cni_sweep_mark(cni_sweep_moved(sweep), id, &sweep->moved_count);
 }
 
 static void sweep_add(cni_broadphase *broadphase, int32_t id)
@@ -104,7 +98,7 @@ static void sweep_add(cni_broadphase *broadphase, int32_t id)
 	++sweep->adds;
 	sweep->id_end = cni_max_i(sweep->id_end, id + 1);
 	mark_moved(sweep, id);
-	mark(cni_sweep_loose(sweep), id, &sweep->loose_count);
+	cni_sweep_mark(cni_sweep_loose(sweep), id, &sweep->loose_count);
 	/* Queries test loose proxies one by one, so their number between steps is bounded. */
 	if (sweep->loose_count > SETTLE_PENDING + sweep->count / 8)
 		cni_sweep_settle(sweep, NULL); /* outside a step the user's task system is not used */
@@ -116,7 +110,7 @@ static void sweep_remove(cni_broadphase *broadphase, int32_t id)
 	cni_proxy *proxy = cni_sweep_proxy(sweep, id);
 	if (proxy->cell != CNI_NONE) {
 		cni_sweep_tile *tile = cni_sweep_tile_at(sweep, proxy->cell);
-		cni_sweep_entry_remove(sweep, tile, cni_sweep_entry_find(sweep, tile, id));
+		cni_sweep_entry_remove(sweep, tile, id);
 		if (tile->count == 0)
 			cni_sweep_tile_destroy(sweep, proxy->cell);
 	}
@@ -130,8 +124,8 @@ static void sweep_remove(cni_broadphase *broadphase, int32_t id)
 static void sweep_move(cni_broadphase *broadphase, int32_t id)
 {
 	cni_sweep *sweep = sweep_of(broadphase);
-	mark(cni_sweep_moved(sweep), id, &sweep->moved_count);
-	mark(cni_sweep_loose(sweep), id, &sweep->loose_count);
+	cni_sweep_mark(cni_sweep_moved(sweep), id, &sweep->moved_count);
+	cni_sweep_mark(cni_sweep_loose(sweep), id, &sweep->loose_count);
 }
 
 static void sweep_touch(cni_broadphase *broadphase, int32_t id)
@@ -143,36 +137,27 @@ static void sweep_touch(cni_broadphase *broadphase, int32_t id)
 
 /* ---- update ---- */
 
-/* Clears the moved set, except for the `lost` proxies that still have their MOVED flag because a pair was lost. */
-static void unmark_moved(cni_sweep *sweep, int32_t lost)
+/* The present box becomes the old box, except for proxies that lost a pair: they stay moved, and their old box becomes empty. */
+static void finish_moved(cni_sweep *sweep, int32_t pairs_lost)
 {
 	cni_sweep_walk walk = cni_sweep_walk_bits(sweep, &sweep->moved);
-	int32_t id;
-	if (lost == 0)
-		memset(cni_sweep_moved(sweep), 0, (size_t)cni_bit_words(sweep->id_end) * sizeof(uint64_t));
-	while (lost > 0 && (id = cni_sweep_walk_next(&walk)) != CNI_NONE)
-		if (!(cni_sweep_proxy(sweep, id)->flags & CNI_PROXY_MOVED))
-			cni_bit_clear(cni_sweep_moved(sweep), id);
-	sweep->moved_count = lost;
-}
-
-/* The present box becomes the old box, except for proxies that lost a pair: their old box becomes empty. */
-static void finish_moved(cni_sweep *sweep)
-{
-	cni_sweep_walk walk = cni_sweep_walk_bits(sweep, &sweep->moved);
-	int32_t id, lost = 0;
+	int32_t id, moved = 0;
 	while ((id = cni_sweep_walk_next(&walk)) != CNI_NONE) {
 		cni_proxy *proxy = cni_sweep_proxy(sweep, id);
 		if (proxy->flags & CNI_PROXY_AGAIN) {
 			proxy->flags &= ~(uint32_t)CNI_PROXY_AGAIN;
 			proxy->old = cni_no_box();
-			++lost;
+			++moved;
 			continue;
 		}
 		proxy->old = proxy->fat;
 		proxy->flags &= ~(uint32_t)CNI_PROXY_MOVED;
+		if (pairs_lost > 0)
+			cni_bit_clear(cni_sweep_moved(sweep), id);
 	}
-	unmark_moved(sweep, lost);
+	if (pairs_lost == 0)
+		memset(cni_sweep_moved(sweep), 0, (size_t)cni_bit_words(sweep->id_end) * sizeof(uint64_t));
+	sweep->moved_count = moved;
 }
 
 static void sweep_update(cni_broadphase *broadphase, cni_pair_filter_fn *filter, const void *filter_context, cni_broadphase_pairs *out)
@@ -185,7 +170,7 @@ static void sweep_update(cni_broadphase *broadphase, cni_pair_filter_fn *filter,
 	do {
 		cni_sweep_find_pairs(sweep, filter, filter_context, out);
 	} while (cni_pairs_search_again(out, sweep->context.arena, sweep->id_end));
-	finish_moved(sweep);
+	finish_moved(sweep, out->pairs_lost);
 	cni_pairs_sort(out, sweep->context.arena);
 }
 
@@ -226,7 +211,7 @@ static int32_t entries_hold(const cni_sweep *sweep, int32_t tile)
 	int32_t k;
 	for (k = 0; k < t->count; ++k) {
 		const cni_proxy *proxy = cni_sweep_proxy(sweep, rows.id[k]);
-		cni_aabb box = cni_sweep_box_at(rows.x0, rows.y0, rows.x1, rows.y1, k);
+		cni_aabb box = cni_sweep_box_at(&rows, k);
 		if (proxy->cell != tile || !cni_aabb_contains(&t->bounds, &box) || box.x1 - box.x0 > t->reach ||
 		    cni_sweep_extent(&box) > sweep->levels[t->level].reach)
 			return 0;

@@ -135,6 +135,13 @@ static inline cni_sweep_tile *cni_sweep_tile_at(const cni_sweep *sweep, int32_t 
 static inline uint64_t *cni_sweep_moved(const cni_sweep *sweep) { return (uint64_t *)sweep->moved.data; }
 static inline uint64_t *cni_sweep_loose(const cni_sweep *sweep) { return (uint64_t *)sweep->loose.data; }
 
+/* Adds an id to a set of this number of ids. */
+static inline void cni_sweep_mark(uint64_t *words, int32_t id, int32_t *count)
+{
+	*count += !cni_bit_get(words, id);
+	cni_bit_set(words, id);
+}
+
 static inline cni_team *cni_sweep_team(const cni_sweep *sweep) { return sweep->context.team == NULL ? NULL : *sweep->context.team; }
 
 /* begins: ascending first entries of consecutive jobs. Returns the first job that begins at or after an entry. */
@@ -151,40 +158,40 @@ static inline int32_t cni_sweep_first_at(const int32_t *begins, int32_t count, i
 	return low;
 }
 
-static inline cni_sweep_rows cni_sweep_rows_of(const cni_sweep *sweep, const cni_sweep_tile *tile)
+static inline cni_sweep_rows cni_sweep_rows_at(float *first, int32_t capacity)
 {
-	cni_sweep_rows rows;
-	rows.x0 = (float *)cni_blocks_at(&sweep->rows, tile->rows);
-	rows.x1 = rows.x0 + tile->capacity;
-	rows.y0 = rows.x1 + tile->capacity;
-	rows.y1 = rows.y0 + tile->capacity;
-	rows.id = (int32_t *)(rows.y1 + tile->capacity);
+	cni_sweep_rows rows = { first, first + capacity, first + 2 * capacity, first + 3 * capacity, (int32_t *)(first + 4 * capacity) };
 	return rows;
 }
 
-/* The box of an entry, from the rows of a tile or of its old boxes. */
-static inline cni_aabb cni_sweep_box_at(const float *x0, const float *y0, const float *x1, const float *y1, int32_t k)
+static inline cni_sweep_rows cni_sweep_rows_of(const cni_sweep *sweep, const cni_sweep_tile *tile)
 {
-	cni_aabb box = { x0[k], y0[k], x1[k], y1[k] };
+	return cni_sweep_rows_at((float *)cni_blocks_at(&sweep->rows, tile->rows), tile->capacity);
+}
+
+static inline cni_aabb cni_sweep_box_at(const cni_sweep_rows *rows, int32_t k)
+{
+	cni_aabb box = { rows->x0[k], rows->y0[k], rows->x1[k], rows->y1[k] };
 	return box;
 }
 
-static inline void cni_sweep_entry_set(const cni_sweep_rows *rows, int32_t k, int32_t id, const cni_aabb *box)
+static inline void cni_sweep_box_set(const cni_sweep_rows *rows, int32_t k, const cni_aabb *box)
 {
 	rows->x0[k] = box->x0;
 	rows->x1[k] = box->x1;
 	rows->y0[k] = box->y0;
 	rows->y1[k] = box->y1;
+}
+
+static inline void cni_sweep_entry_set(const cni_sweep_rows *rows, int32_t k, int32_t id, const cni_aabb *box)
+{
+	cni_sweep_box_set(rows, k, box);
 	rows->id[k] = id;
 }
 
 static inline cni_sweep_walk cni_sweep_walk_bits(const cni_sweep *sweep, const cni_array *bits)
 {
-	cni_sweep_walk walk;
-	walk.words = (const uint64_t *)bits->data;
-	walk.rest = 0;
-	walk.word = -1;
-	walk.end = cni_bit_words(sweep->id_end);
+	cni_sweep_walk walk = { (const uint64_t *)bits->data, 0, -1, cni_bit_words(sweep->id_end) };
 	return walk;
 }
 
@@ -244,7 +251,7 @@ void cni_sweep_tile_shrink(cni_sweep *sweep, cni_sweep_tile *tile);
 /* Recomputes bounds and reach. Returns the largest extent of its entries, which the level must cover. */
 float cni_sweep_tile_measure(const cni_sweep *sweep, cni_sweep_tile *tile);
 /* Raises the level's reach to an entry of this extent. */
-void cni_sweep_level_cover(cni_sweep *sweep, int32_t level, float extent);
+void cni_sweep_level_cover(cni_sweep_level *level, float extent);
 /* Writes +inf to the x0 row behind the last entry, up to a multiple of CNI_SWEEP_LANES. */
 void cni_sweep_tile_pad(const cni_sweep *sweep, cni_sweep_tile *tile);
 /* First entry at or after (x0, id). */
@@ -260,15 +267,14 @@ static inline int32_t cni_sweep_entry_from(const float *x0s, int32_t count, floa
 	}
 	return low;
 }
-/* Index of a proxy's entry in its tile; the entry must exist. */
-int32_t cni_sweep_entry_find(const cni_sweep *sweep, const cni_sweep_tile *tile, int32_t id);
 /* Inserts in sorted order; 0 when there is no memory. */
 int32_t cni_sweep_entry_insert(cni_sweep *sweep, cni_sweep_tile *tile, int32_t id, const cni_aabb *box);
 /* Appends the id alone, unsorted and without padding, for a rebuild that follows; 0 when there is no memory. */
 int32_t cni_sweep_entry_append(cni_sweep *sweep, cni_sweep_tile *tile, int32_t id);
-void cni_sweep_entry_remove(cni_sweep *sweep, cni_sweep_tile *tile, int32_t entry);
-/* Gives an entry a new box and moves it to its sorted place. */
-void cni_sweep_entry_shift(cni_sweep *sweep, cni_sweep_tile *tile, int32_t entry, const cni_aabb *box);
+/* Removes a proxy's entry from its tile. */
+void cni_sweep_entry_remove(cni_sweep *sweep, cni_sweep_tile *tile, int32_t id);
+/* Gives a proxy's entry a new box and moves it to its sorted place. */
+void cni_sweep_entry_shift(cni_sweep *sweep, cni_sweep_tile *tile, int32_t id, const cni_aabb *box);
 
 void cni_sweep_cursor_start(const cni_sweep *sweep, cni_sweep_cursor *cursor, const cni_aabb *box);
 /* The next tile whose bounds overlap the box, or CNI_NONE. */
@@ -288,9 +294,7 @@ void cni_sweep_find_pairs(cni_sweep *sweep, cni_pair_filter_fn *filter, const vo
 
 /* Rows of a tile with the boxes of the last update. */
 typedef struct cni_sweep_view {
-	const float *x0, *x1, *y0, *y1;
-	const float *px0, *px1, *py0, *py1;
-	const int32_t *id;
+	cni_sweep_rows now, old; /* old.id is not used */
 	int32_t count;
 	int32_t wide;      /* 1: rows are padded to whole groups of lanes */
 	float reach;

@@ -13,6 +13,4 @@
 #define CNI_KERNEL cni_sweep_find_new_8
 #include "broadphase/sweep_lanes.h"
 #include "base/avx2_end.h"
-#else
-typedef int cni_no_sweep_lanes_8;
 #endif

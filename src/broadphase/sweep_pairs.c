@@ -97,17 +97,13 @@ static void forget_dense(cni_sweep_pass *pass)
 static void gather_previous(const cni_sweep_pass *pass, int32_t dense)
 {
 	const cni_sweep_tile *tile = cni_sweep_tile_at(pass->sweep, pass->touched[dense]);
-	cni_sweep_rows rows = cni_sweep_rows_of(pass->sweep, tile);
-	float *px0 = cni_sweep_old_boxes(pass, tile), *px1 = px0 + tile->capacity, *py0 = px1 + tile->capacity, *py1 = py0 + tile->capacity;
+	cni_sweep_rows rows = cni_sweep_rows_of(pass->sweep, tile), olds = cni_sweep_old_boxes(pass, tile);
 	int32_t k;
 	if (tile->previous == CNI_NONE)
 		return;
 	for (k = 0; k < tile->count; ++k) {
 		cni_aabb old = cni_sweep_old(cni_sweep_proxy(pass->sweep, rows.id[k]));
-		px0[k] = old.x0;
-		px1[k] = old.x1;
-		py0[k] = old.y0;
-		py1[k] = old.y1;
+		cni_sweep_box_set(&olds, k, &old);
 	}
 }
 

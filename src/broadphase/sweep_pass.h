@@ -21,16 +21,18 @@ typedef struct cni_sweep_pass {
 	int32_t new_entries;   /* capacity of the largest dense tile whose entries are all new */
 	int32_t slot_room;     /* capacity of slots */
 	int32_t slot_count;    /* pairs found; only the first slot_room are written */
-	int32_t reserved;
 	float *scratch;        /* +inf and -inf for new entries (2 new_entries), then old boxes of the other dense tiles */
 	cni_pair *slots;       /* destination of pairs, NULL: the list. Each worker uses a copy of the pass with its own slots */
 } cni_sweep_pass;
 
 static inline int32_t cni_sweep_is_moved(const cni_sweep_pass *pass, int32_t id) { return cni_bit_get(cni_sweep_moved(pass->sweep), id); }
 
-static inline float *cni_sweep_old_boxes(const cni_sweep_pass *pass, const cni_sweep_tile *tile)
+/* Rows of a dense tile's old boxes: in scratch, or, if all entries are new, empty boxes. */
+static inline cni_sweep_rows cni_sweep_old_boxes(const cni_sweep_pass *pass, const cni_sweep_tile *tile)
 {
-	return pass->scratch + 2 * pass->new_entries + tile->previous;
+	float *least = pass->scratch, *most = least + pass->new_entries;
+	cni_sweep_rows empty = { least, most, least, most, NULL };
+	return tile->previous == CNI_NONE ? empty : cni_sweep_rows_at(least + 2 * pass->new_entries + tile->previous, tile->capacity);
 }
 
 /* The inner loop for the widest vectors of the processor. */

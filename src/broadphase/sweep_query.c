@@ -9,12 +9,6 @@
  * returned. Grid traversal after Amanatides and Woo (1987), by rows instead of cells because tiles overlap their
  * neighbours.
  */
-#include "base/cpu.h"
-#if CNI_HAS_WIDE_4
-#define CNI_WIDTH 4
-#else
-#define CNI_WIDTH 1
-#endif
 #include "broadphase/sweep_lanes.h"
 
 /* ---- regions ---- */
@@ -37,7 +31,7 @@ static uint32_t group_overlaps(const region *r, const cni_sweep_rows *rows, int3
 	uint32_t bits = 0;
 	int32_t l;
 	for (l = 0; l < CNI_SWEEP_LANES; l += CNI_WIDTH)
-		bits |= cni_mask_bits(lanes_overlap(rows->x0 + k + l, rows->x1 + k + l, rows->y0 + k + l, rows->y1 + k + l, &r->box)) << l;
+		bits |= cni_mask_bits(lanes_overlap(rows, k + l, &r->box)) << l;
 	return bits;
 }
 
@@ -92,11 +86,7 @@ void cni_sweep_query(const cni_broadphase *broadphase, const cni_aabb *box, cni_
 	const cni_sweep *sweep = cni_sweep_of(broadphase);
 	cni_sweep_cursor cursor;
 	int32_t tile;
-	region r;
-	r.sweep = sweep;
-	r.box = *box;
-	r.visit = visit;
-	r.context = context;
+	region r = { sweep, *box, visit, context };
 	cni_sweep_cursor_start(sweep, &cursor, box);
 	while ((tile = cni_sweep_cursor_next(sweep, &cursor)) != CNI_NONE)
 		if (!query_tile(&r, cni_sweep_tile_at(sweep, tile)))
@@ -157,12 +147,8 @@ typedef struct ray_lanes {
 static ray_lanes ray_lanes_of(const ray_pass *ray, const cni_sweep_rows *rows)
 {
 	int32_t right = ray->d.x >= 0.0f, up = ray->d.y >= 0.0f;
-	ray_lanes lanes;
-	lanes.rows = *rows;
-	lanes.least_x = up ? rows->x1 : rows->x0;
-	lanes.most_x = up ? rows->x0 : rows->x1;
-	lanes.least_y = right ? rows->y0 : rows->y1;
-	lanes.most_y = right ? rows->y1 : rows->y0;
+	ray_lanes lanes = { *rows, up ? rows->x1 : rows->x0, right ? rows->y0 : rows->y1,
+	                    up ? rows->x0 : rows->x1, right ? rows->y1 : rows->y0 };
 	return lanes;
 }
 

@@ -7,23 +7,13 @@
  *
  * The inner loop tests CNI_SWEEP_LANES entries at a time: broadphase/sweep_lanes.h.
  */
-#include "base/cpu.h"
-#if CNI_HAS_WIDE_4
-#define CNI_WIDTH 4
-#else
-#define CNI_WIDTH 1
-#endif
 #define CNI_KERNEL cni_sweep_find_new
 #include "broadphase/sweep_lanes.h"
 #include "broadphase/sweep_pass.h"
 
 cni_sweep_find_new_fn *cni_sweep_find_new_choose(void)
 {
-#if CNI_HAS_WIDE_8
-	if (cni_cpu_has_avx2())
-		return cni_sweep_find_new_8;
-#endif
-	return cni_sweep_find_new;
+	return CNI_WIDEST(cni_sweep_find_new, cni_sweep_find_new, cni_sweep_find_new_8);
 }
 
 /* ---- reporting pairs ---- */
@@ -60,7 +50,7 @@ static void pair_found(cni_sweep_pass *pass, int32_t a, int32_t b)
 
 static void entry_found(cni_sweep_pass *pass, const cni_sweep_probe *q, const cni_sweep_view *view, int32_t k)
 {
-	int32_t id = view->id[k];
+	int32_t id = view->now.id[k];
 	if (id == q->id || (view->skip_moved && cni_sweep_is_moved(pass, id)) || (q->skip_moved && cni_sweep_is_moved(pass, q->id)))
 		return;
 	pair_found(pass, q->id, id);
@@ -71,8 +61,8 @@ static void entry_found(cni_sweep_pass *pass, const cni_sweep_probe *q, const cn
 /* 1 when entry k overlaps now and did not before. Its left side must lie left of the probe's right side. */
 static inline int32_t entry_is_new(const cni_sweep_probe *q, const cni_sweep_view *v, int32_t k)
 {
-	int32_t now = (v->x1[k] >= q->now.x0) & (v->y0[k] <= q->now.y1) & (v->y1[k] >= q->now.y0);
-	int32_t old = (v->px0[k] <= q->old.x1) & (v->px1[k] >= q->old.x0) & (v->py0[k] <= q->old.y1) & (v->py1[k] >= q->old.y0);
+	int32_t now = (v->now.x1[k] >= q->now.x0) & (v->now.y0[k] <= q->now.y1) & (v->now.y1[k] >= q->now.y0);
+	int32_t old = (v->old.x0[k] <= q->old.x1) & (v->old.x1[k] >= q->old.x0) & (v->old.y0[k] <= q->old.y1) & (v->old.y1[k] >= q->old.y0);
 	return now & (old ^ 1);
 }
 
@@ -94,13 +84,13 @@ static void scan_lanes(cni_sweep_pass *pass, const cni_sweep_probe *q, const cni
 static inline void scan(cni_sweep_pass *pass, const cni_sweep_probe *q, const cni_sweep_view *v, int32_t from)
 {
 	int32_t k = from;
-	if (k >= v->count || !(v->x0[k] <= q->now.x1) || search_is_void(pass))
+	if (k >= v->count || !(v->now.x0[k] <= q->now.x1) || search_is_void(pass))
 		return;
 	if (v->wide) {
 		scan_lanes(pass, q, v, k);
 		return;
 	}
-	for (; k < v->count && v->x0[k] <= q->now.x1; ++k)
+	for (; k < v->count && v->now.x0[k] <= q->now.x1; ++k)
 		if (entry_is_new(q, v, k))
 			entry_found(pass, q, v, k);
 }
@@ -109,41 +99,24 @@ static inline void scan(cni_sweep_pass *pass, const cni_sweep_probe *q, const cn
 
 static cni_sweep_view view_of(const cni_sweep_pass *pass, const cni_sweep_tile *tile)
 {
-	cni_sweep_rows rows = cni_sweep_rows_of(pass->sweep, tile);
 	cni_sweep_view v;
-	v.x0 = v.px0 = rows.x0;
-	v.x1 = v.px1 = rows.x1;
-	v.y0 = v.py0 = rows.y0;
-	v.y1 = v.py1 = rows.y1;
-	v.id = rows.id;
+	v.now = cni_sweep_rows_of(pass->sweep, tile);
+	v.old = tile->dense ? cni_sweep_old_boxes(pass, tile) : v.now;
 	v.count = tile->count;
 	v.wide = tile->capacity >= CNI_SWEEP_LANES;
 	v.reach = tile->reach;
 	v.skip_moved = tile->touched > 0 && !tile->dense;
-	if (tile->dense && tile->previous == CNI_NONE) {
-		v.px0 = v.py0 = pass->scratch;
-		v.px1 = v.py1 = pass->scratch + pass->new_entries;
-	} else if (tile->dense) {
-		v.px0 = cni_sweep_old_boxes(pass, tile);
-		v.px1 = v.px0 + tile->capacity;
-		v.py0 = v.px1 + tile->capacity;
-		v.py1 = v.py0 + tile->capacity;
-	}
 	return v;
 }
 
 static inline cni_sweep_probe probe_of(const cni_sweep_view *v, int32_t i)
 {
-	cni_sweep_probe q;
-	q.now = cni_sweep_box_at(v->x0, v->y0, v->x1, v->y1, i);
-	q.old = cni_sweep_box_at(v->px0, v->py0, v->px1, v->py1, i);
-	q.id = v->id[i];
-	q.skip_moved = v->skip_moved;
+	cni_sweep_probe q = { cni_sweep_box_at(&v->now, i), cni_sweep_box_at(&v->old, i), v->now.id[i], v->skip_moved };
 	return q;
 }
 
 /* First entry that may extend to x0. */
-static int32_t scan_begin(const cni_sweep_view *v, float x0) { return cni_sweep_entry_from(v->x0, v->count, x0 - v->reach); }
+static int32_t scan_begin(const cni_sweep_view *v, float x0) { return cni_sweep_entry_from(v->now.x0, v->count, x0 - v->reach); }
 
 /* ---- dense tiles ---- */
 
@@ -152,7 +125,7 @@ static void sweep_self(cni_sweep_pass *pass, const cni_sweep_view *v)
 	int32_t i;
 	for (i = 0; i + 1 < v->count; ++i) {
 		cni_sweep_probe q;
-		if (v->x0[i + 1] > v->x1[i])
+		if (v->now.x0[i + 1] > v->now.x1[i])
 			continue;
 		q = probe_of(v, i);
 		scan(pass, &q, v, i + 1);
@@ -163,16 +136,16 @@ static void sweep_self(cni_sweep_pass *pass, const cni_sweep_view *v)
 static void sweep_two(cni_sweep_pass *pass, const cni_sweep_view *outer, const cni_sweep_view *inner, const cni_aabb *inner_bounds)
 {
 	int32_t i, low = 0;
-	for (i = 0; i < outer->count && outer->x0[i] <= inner_bounds->x1; ++i) {
-		float from = outer->x0[i] - inner->reach;
+	for (i = 0; i < outer->count && outer->now.x0[i] <= inner_bounds->x1; ++i) {
+		float from = outer->now.x0[i] - inner->reach;
 		cni_sweep_probe q;
-		if ((outer->x1[i] < inner_bounds->x0) | (outer->y1[i] < inner_bounds->y0) | (outer->y0[i] > inner_bounds->y1))
+		if ((outer->now.x1[i] < inner_bounds->x0) | (outer->now.y1[i] < inner_bounds->y0) | (outer->now.y0[i] > inner_bounds->y1))
 			continue;
-		while (low < inner->count && inner->x0[low] < from)
+		while (low < inner->count && inner->now.x0[low] < from)
 			++low;
 		if (low == inner->count)
 			return;
-		if (inner->x0[low] > outer->x1[i])
+		if (inner->now.x0[low] > outer->now.x1[i])
 			continue;
 		q = probe_of(outer, i);
 		scan(pass, &q, inner, low);
@@ -224,9 +197,9 @@ static void search_touched(cni_sweep_pass *pass, const cni_sweep_probe *q, const
 {
 	const cni_proxy *proxy = cni_sweep_proxy(pass->sweep, q->id);
 	int32_t k;
-	for (k = scan_begin(v, q->now.x0); k < v->count && v->x0[k] <= q->now.x1; ++k) {
-		int32_t id = v->id[k];
-		if (!((v->x1[k] >= q->now.x0) & (v->y0[k] <= q->now.y1) & (v->y1[k] >= q->now.y0)) || id == q->id)
+	for (k = scan_begin(v, q->now.x0); k < v->count && v->now.x0[k] <= q->now.x1; ++k) {
+		int32_t id = v->now.id[k];
+		if (!((v->now.x1[k] >= q->now.x0) & (v->now.y0[k] <= q->now.y1) & (v->now.y1[k] >= q->now.y0)) || id == q->id)
 			continue;
 		if (cni_sweep_is_moved(pass, id) ? id > q->id && !overlapped(proxy, cni_sweep_proxy(pass->sweep, id)) : entry_is_new(q, v, k))
 			pair_found(pass, q->id, id);
@@ -237,13 +210,9 @@ void cni_sweep_search_entry(cni_sweep_pass *pass, int32_t id)
 {
 	const cni_sweep *sweep = pass->sweep;
 	const cni_proxy *proxy = cni_sweep_proxy(sweep, id);
+	cni_sweep_probe q = { proxy->fat, cni_sweep_old(proxy), id, 0 };
 	cni_sweep_cursor cursor;
 	int32_t tile;
-	cni_sweep_probe q;
-	q.now = proxy->fat;
-	q.old = cni_sweep_old(proxy);
-	q.id = id;
-	q.skip_moved = 0;
 	cni_sweep_cursor_start(sweep, &cursor, &q.now);
 	while ((tile = cni_sweep_cursor_next(sweep, &cursor)) != CNI_NONE) {
 		const cni_sweep_tile *t = cni_sweep_tile_at(sweep, tile);

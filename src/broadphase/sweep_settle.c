@@ -44,9 +44,7 @@ static void drop_entries(cni_sweep *sweep, const cni_sweep_tile *tile)
 	int32_t k;
 	for (k = 0; k < tile->count; ++k) {
 		cni_sweep_proxy(sweep, rows.id[k])->cell = CNI_NONE;
-		if (!cni_bit_get(cni_sweep_loose(sweep), rows.id[k]))
-			++sweep->loose_count;
-		cni_bit_set(cni_sweep_loose(sweep), rows.id[k]);
+		cni_sweep_mark(cni_sweep_loose(sweep), rows.id[k], &sweep->loose_count);
 	}
 }
 
@@ -202,13 +200,6 @@ static void mark_settled(cni_sweep *sweep, int32_t id)
 	--sweep->loose_count;
 }
 
-static void leave(cni_sweep *sweep, cni_proxy *proxy, int32_t id)
-{
-	cni_sweep_tile *tile = cni_sweep_tile_at(sweep, proxy->cell);
-	cni_sweep_entry_remove(sweep, tile, cni_sweep_entry_find(sweep, tile, id));
-	proxy->cell = CNI_NONE;
-}
-
 static void enter(cni_sweep *sweep, cni_proxy *proxy, int32_t id, int32_t home)
 {
 	cni_sweep_tile *tile = cni_sweep_tile_at(sweep, home);
@@ -227,12 +218,12 @@ static void settle_proxy(cni_sweep *sweep, int32_t id, int32_t home)
 	if (proxy->cell == home && home != CNI_NONE) {
 		cni_sweep_tile *tile = cni_sweep_tile_at(sweep, home);
 		if (!tile->dense)
-			cni_sweep_entry_shift(sweep, tile, cni_sweep_entry_find(sweep, tile, id), &proxy->fat);
+			cni_sweep_entry_shift(sweep, tile, id, &proxy->fat);
 		mark_settled(sweep, id);
 		return;
 	}
 	if (proxy->cell != CNI_NONE && !cni_sweep_tile_at(sweep, proxy->cell)->dense)
-		leave(sweep, proxy, id);
+		cni_sweep_entry_remove(sweep, cni_sweep_tile_at(sweep, proxy->cell), id);
 	proxy->cell = CNI_NONE;
 	if (home != CNI_NONE)
 		enter(sweep, proxy, id, home);
@@ -438,7 +429,7 @@ static void finish_tiles(settle_pass *pass)
 		cni_sweep_tile *t = cni_sweep_tile_at(sweep, tile);
 		if (t->dense) {
 			sweep->levels[t->level].entries -= pass->results[i].gone;
-			cni_sweep_level_cover(sweep, t->level, pass->results[i].extent);
+			cni_sweep_level_cover(&sweep->levels[t->level], pass->results[i].extent);
 			if (t->count > 0)
 				cni_sweep_tile_shrink(sweep, t);
 		}

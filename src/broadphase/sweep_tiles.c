@@ -226,29 +226,31 @@ static int32_t capacity_for(int32_t count)
 	return (count + count / 4 + 7) & ~7;
 }
 
+/* Moves count entries to rows that may be the same. */
+static void entries_move(const cni_sweep_rows *to, int32_t at, const cni_sweep_rows *from, int32_t from_at, int32_t count)
+{
+	size_t bytes = (size_t)count * sizeof(float);
+	memmove(to->x0 + at, from->x0 + from_at, bytes);
+	memmove(to->x1 + at, from->x1 + from_at, bytes);
+	memmove(to->y0 + at, from->y0 + from_at, bytes);
+	memmove(to->y1 + at, from->y1 + from_at, bytes);
+	memmove(to->id + at, from->id + from_at, bytes);
+}
+
 static int32_t tile_resize(cni_sweep *sweep, cni_sweep_tile *tile, int32_t capacity)
 {
-	cni_sweep_rows from, to;
-	cni_ref old_rows = tile->rows;
-	int32_t old_capacity = tile->capacity;
-	size_t bytes = (size_t)tile->count * sizeof(float);
+	cni_sweep_tile old = *tile;
 	cni_ref rows = cni_blocks_alloc(&sweep->rows, rows_bytes(capacity));
 	if (rows == 0)
 		return 0;
 	sweep->rows_bytes += cni_blocks_rounded(rows_bytes(capacity));
-	if (old_capacity > 0)
-		from = cni_sweep_rows_of(sweep, tile);
 	tile->rows = rows;
 	tile->capacity = capacity;
-	to = cni_sweep_rows_of(sweep, tile);
-	if (old_capacity > 0) {
-		memcpy(to.x0, from.x0, bytes);
-		memcpy(to.x1, from.x1, bytes);
-		memcpy(to.y0, from.y0, bytes);
-		memcpy(to.y1, from.y1, bytes);
-		memcpy(to.id, from.id, bytes);
-		rows_free(sweep, old_rows, old_capacity);
+	if (old.capacity > 0) {
+		cni_sweep_rows from = cni_sweep_rows_of(sweep, &old), to = cni_sweep_rows_of(sweep, tile);
+		entries_move(&to, 0, &from, 0, tile->count);
 	}
+	rows_free(sweep, old.rows, old.capacity);
 	cni_sweep_tile_pad(sweep, tile);
 	return 1;
 }
@@ -269,12 +271,10 @@ void cni_sweep_tile_shrink(cni_sweep *sweep, cni_sweep_tile *tile)
 /* Slightly more than the width, which may have been rounded down. */
 static inline float entry_reach(float width) { return width * 1.000002f; }
 
-static inline void level_cover(cni_sweep_level *level, float extent)
+void cni_sweep_level_cover(cni_sweep_level *level, float extent)
 {
 	level->reach = cni_max(level->reach, entry_reach(extent));
 }
-
-void cni_sweep_level_cover(cni_sweep *sweep, int32_t level, float extent) { level_cover(&sweep->levels[level], extent); }
 
 float cni_sweep_tile_measure(const cni_sweep *sweep, cni_sweep_tile *tile)
 {
@@ -299,7 +299,7 @@ float cni_sweep_tile_measure(const cni_sweep *sweep, cni_sweep_tile *tile)
 
 static void tile_cover(cni_sweep *sweep, cni_sweep_tile *tile, const cni_aabb *box)
 {
-	level_cover(&sweep->levels[tile->level], cni_sweep_extent(box));
+	cni_sweep_level_cover(&sweep->levels[tile->level], cni_sweep_extent(box));
 	tile->bounds = cni_aabb_union(&tile->bounds, box);
 	tile->reach = cni_max(tile->reach, entry_reach(box->x1 - box->x0));
 }
@@ -308,7 +308,7 @@ static void tile_cover(cni_sweep *sweep, cni_sweep_tile *tile, const cni_aabb *b
 static void tile_changed(cni_sweep *sweep, cni_sweep_tile *tile)
 {
 	if (++tile->slack > tile->count)
-		level_cover(&sweep->levels[tile->level], cni_sweep_tile_measure(sweep, tile));
+		cni_sweep_level_cover(&sweep->levels[tile->level], cni_sweep_tile_measure(sweep, tile));
 }
 
 void cni_sweep_tile_pad(const cni_sweep *sweep, cni_sweep_tile *tile)
@@ -336,7 +336,7 @@ int32_t cni_sweep_entry_bound(const cni_sweep_rows *rows, int32_t count, float x
 }
 
 /* An entry that is out of date still has the x0 of the last settle, which is nearly always that of the old box. */
-int32_t cni_sweep_entry_find(const cni_sweep *sweep, const cni_sweep_tile *tile, int32_t id)
+static int32_t entry_find(const cni_sweep *sweep, const cni_sweep_tile *tile, int32_t id)
 {
 	cni_sweep_rows rows = cni_sweep_rows_of(sweep, tile);
 	const cni_proxy *proxy = cni_sweep_proxy(sweep, id);
@@ -351,17 +351,6 @@ int32_t cni_sweep_entry_find(const cni_sweep *sweep, const cni_sweep_tile *tile,
 	return CNI_NONE;
 }
 
-/* Moves count entries. */
-static void entries_move(const cni_sweep_rows *rows, int32_t to, int32_t from, int32_t count)
-{
-	size_t bytes = (size_t)count * sizeof(float);
-	memmove(rows->x0 + to, rows->x0 + from, bytes);
-	memmove(rows->x1 + to, rows->x1 + from, bytes);
-	memmove(rows->y0 + to, rows->y0 + from, bytes);
-	memmove(rows->y1 + to, rows->y1 + from, bytes);
-	memmove(rows->id + to, rows->id + from, bytes);
-}
-
 int32_t cni_sweep_entry_insert(cni_sweep *sweep, cni_sweep_tile *tile, int32_t id, const cni_aabb *box)
 {
 	cni_sweep_rows rows;
@@ -370,7 +359,7 @@ int32_t cni_sweep_entry_insert(cni_sweep *sweep, cni_sweep_tile *tile, int32_t i
 		return 0;
 	rows = cni_sweep_rows_of(sweep, tile);
 	k = cni_sweep_entry_bound(&rows, tile->count, box->x0, id);
-	entries_move(&rows, k + 1, k, tile->count - k);
+	entries_move(&rows, k + 1, &rows, k, tile->count - k);
 	cni_sweep_entry_set(&rows, k, id, box);
 	++tile->count;
 	++sweep->levels[tile->level].entries;
@@ -388,29 +377,29 @@ int32_t cni_sweep_entry_append(cni_sweep *sweep, cni_sweep_tile *tile, int32_t i
 	return 1;
 }
 
-void cni_sweep_entry_remove(cni_sweep *sweep, cni_sweep_tile *tile, int32_t entry)
+void cni_sweep_entry_remove(cni_sweep *sweep, cni_sweep_tile *tile, int32_t id)
 {
 	cni_sweep_rows rows = cni_sweep_rows_of(sweep, tile);
-	entries_move(&rows, entry, entry + 1, tile->count - entry - 1);
+	int32_t entry = entry_find(sweep, tile, id);
+	entries_move(&rows, entry, &rows, entry + 1, tile->count - entry - 1);
 	--tile->count;
 	--sweep->levels[tile->level].entries;
 	cni_sweep_tile_pad(sweep, tile);
 	tile_changed(sweep, tile);
 }
 
-void cni_sweep_entry_shift(cni_sweep *sweep, cni_sweep_tile *tile, int32_t entry, const cni_aabb *box)
+void cni_sweep_entry_shift(cni_sweep *sweep, cni_sweep_tile *tile, int32_t id, const cni_aabb *box)
 {
 	cni_sweep_rows rows = cni_sweep_rows_of(sweep, tile);
-	int32_t id = rows.id[entry];
-	int32_t k = entry;
+	int32_t entry = entry_find(sweep, tile, id), k = entry;
 	while (k > 0 && (rows.x0[k - 1] > box->x0 || (rows.x0[k - 1] == box->x0 && rows.id[k - 1] > id)))
 		--k;
 	if (k < entry)
-		entries_move(&rows, k + 1, k, entry - k);
+		entries_move(&rows, k + 1, &rows, k, entry - k);
 	while (k + 1 < tile->count && (rows.x0[k + 1] < box->x0 || (rows.x0[k + 1] == box->x0 && rows.id[k + 1] < id)))
 		++k;
 	if (k > entry)
-		entries_move(&rows, entry, entry + 1, k - entry);
+		entries_move(&rows, entry, &rows, entry + 1, k - entry);
 	cni_sweep_entry_set(&rows, k, id, box);
 	tile_cover(sweep, tile, box);
 	tile_changed(sweep, tile);

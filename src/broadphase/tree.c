@@ -113,6 +113,15 @@ void cni_tree_attach(cni_tree *tree, int32_t place, int32_t child)
 		places_of(tree)[~child] = place;
 }
 
+void cni_tree_attach_item(cni_tree *tree, int32_t place, int32_t item, const cni_aabb *box, uint32_t marks)
+{
+	cni_tree_node *f = cni_tree_node_of(tree, place);
+	f->box[place & 1] = *box;
+	f->height[place & 1] = 0;
+	f->marks[place & 1] = (uint8_t)marks;
+	cni_tree_attach(tree, place, ~item);
+}
+
 static void place_copy(cni_tree *tree, int32_t to, int32_t from)
 {
 	cni_tree_node *t = cni_tree_node_of(tree, to);
@@ -299,7 +308,6 @@ void cni_tree_insert_marked(cni_tree *tree, int32_t item, const cni_aabb *box, u
 {
 	int32_t place = CNI_TREE_ROOT, node;
 	cni_aabb clean = box_or_none(box);
-	cni_tree_node *f;
 	CNI_ASSERT(item >= 0 && item < tree->places.count && cni_tree_place(tree, item) == CNI_NONE);
 	if (tree->count++ > 0) {
 		place = sibling_find(tree, &clean);
@@ -309,11 +317,7 @@ void cni_tree_insert_marked(cni_tree *tree, int32_t item, const cni_aabb *box, u
 		cni_tree_attach(tree, place, node);
 		place = 2 * node + 1;
 	}
-	f = cni_tree_node_of(tree, place);
-	f->box[place & 1] = clean;
-	f->height[place & 1] = 0;
-	f->marks[place & 1] = (uint8_t)marks;
-	cni_tree_attach(tree, place, ~item);
+	cni_tree_attach_item(tree, place, item, &clean, marks);
 	cni_tree_repair(tree, place >> 1);
 }
 

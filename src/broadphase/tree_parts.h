@@ -31,6 +31,8 @@ static inline int32_t cni_tree_node_height(const cni_tree_node *node)
 
 /* Stores a child at a place and the place with the child; the caller sets box, height and marks. */
 void cni_tree_attach(cni_tree *tree, int32_t place, int32_t child);
+/* An item with its box and marks. */
+void cni_tree_attach_item(cni_tree *tree, int32_t place, int32_t item, const cni_aabb *box, uint32_t marks);
 /* Takes a node from the free list or the reserved capacity; cannot fail after reserve. */
 int32_t cni_tree_node_take(cni_tree *tree);
 /* Empties both sides. */

@@ -8,12 +8,6 @@
  */
 #include "broadphase/tree_parts.h"
 
-/* Without branches: searches make the results unpredictable. */
-static inline int32_t overlap(const cni_aabb *a, const cni_aabb *b)
-{
-	return (a->x0 <= b->x1) & (b->x0 <= a->x1) & (a->y0 <= b->y1) & (b->y0 <= a->y1);
-}
-
 /* ---- regions ---- */
 
 void cni_tree_query(const cni_tree *tree, const cni_aabb *box, cni_tree_visit_fn *visit, void *context)
@@ -28,9 +22,9 @@ void cni_tree_query(const cni_tree *tree, const cni_aabb *box, cni_tree_visit_fn
 			if (top + 2 > CNI_TREE_STACK)
 				return;
 			stack[top] = f->child[1];
-			top += overlap(&f->box[1], box);
+			top += cni_aabb_overlap_branchless(&f->box[1], box);
 			stack[top] = f->child[0];
-			top += overlap(&f->box[0], box);
+			top += cni_aabb_overlap_branchless(&f->box[0], box);
 		} else if (visit(context, ~child, 1.0f) == 0.0f) {
 			return;
 		}
@@ -60,7 +54,7 @@ static inline int32_t ray_crosses(const tree_ray *ray, const cni_aabb *b)
 	float cx = (b->x0 - ray->o.x) + (b->x1 - ray->o.x), cy = (b->y0 - ray->o.y) + (b->y1 - ray->o.y);
 	float p = ray->d.x * cy, q = ray->d.y * cx, reach = ray->ax * (b->y1 - b->y0) + ray->ay * (b->x1 - b->x0);
 	float error = 1e-6f * (cni_abs(p) + cni_abs(q) + reach);
-	return overlap(&ray->box, b) & !(cni_abs(p - q) > reach + error);
+	return cni_aabb_overlap_branchless(&ray->box, b) & !(cni_abs(p - q) > reach + error);
 }
 
 /* Twice the projection of the box's centre on the ray's direction. */
@@ -121,7 +115,7 @@ typedef struct pair_search {
 
 static inline int32_t pair_may_be(const pair_search *s, const cni_tree_node *f, int32_t side)
 {
-	return (f->marks[side] & s->marks) != 0 && overlap(&f->box[side], &s->box);
+	return (f->marks[side] & s->marks) != 0 && cni_aabb_overlap_branchless(&f->box[side], &s->box);
 }
 
 /* Reports the items at or below a place that overlap the item. */
@@ -160,10 +154,7 @@ static void pairs_of(pair_search *s, int32_t place)
 void cni_tree_pairs(const cni_tree *tree, cni_tree_pair_fn *found, void *context)
 {
 	int32_t stack[CNI_TREE_STACK], top = 0;
-	pair_search search;
-	search.tree = tree;
-	search.found = found;
-	search.context = context;
+	pair_search search = { tree, found, context, cni_no_box(), CNI_NONE, 0 };
 	if (tree->count > 1)
 		stack[top++] = CNI_TREE_ROOT;
 	while (top > 0) {

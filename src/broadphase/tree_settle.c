@@ -110,15 +110,6 @@ static int32_t collect(const cni_tree *tree, tree_leaf *leaves)
 	return count;
 }
 
-static void attach_leaf(cni_tree *tree, int32_t place, const tree_leaf *leaf)
-{
-	cni_tree_node *f = cni_tree_node_of(tree, place);
-	f->box[place & 1] = leaf->box;
-	f->height[place & 1] = 0;
-	f->marks[place & 1] = (uint8_t)leaf->marks;
-	cni_tree_attach(tree, place, ~leaf->item);
-}
-
 /* Takes nodes in depth-first order, so that a search reads memory forwards; ancestors have lower numbers. */
 static void build(cni_tree *tree, tree_leaf *leaves, int32_t count)
 {
@@ -131,7 +122,7 @@ static void build(cni_tree *tree, tree_leaf *leaves, int32_t count)
 		tree_span span = stack[--top];
 		int32_t half = span.count / 2;
 		if (span.count == 1) {
-			attach_leaf(tree, span.place, &leaves[span.first]);
+			cni_tree_attach_item(tree, span.place, leaves[span.first].item, &leaves[span.first].box, leaves[span.first].marks);
 			continue;
 		}
 		split_at(leaves + span.first, span.count, half, longer_axis(leaves + span.first, span.count));

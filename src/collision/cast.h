@@ -41,14 +41,8 @@ static inline int32_t cni_cast_leads_out(const cni_cast_hit *hit, float touch, c
 
 #define CNI_CAST_POINTS_MAX (2 * CN_POLYGON_MAX_VERTICES)
 
-typedef struct cni_cast_hull {
-	const cni_vec2 *points;   /* counter-clockwise; 2 points only with a radius */
-	const cni_vec2 *normals;  /* of the faces points[i] -> points[i + 1], or NULL */
-	int32_t count;
-	float radius;
-} cni_cast_hull;
-
-/* *out_feature: the vertex hit (0 .. count - 1) or count + the face hit; the nearest one when the ray starts inside. */
-int32_t cni_cast_hull_ray(const cni_cast_hull *hull, cni_vec2 origin, cni_vec2 translation, cni_cast_hit *out, int32_t *out_feature);
+/* The normals may be NULL; 2 points only with a radius. *out_feature: the vertex hit (0 .. count - 1) or count + the face hit; the
+   nearest one when the ray starts inside. */
+int32_t cni_cast_hull_ray(const cni_faces *hull, cni_vec2 origin, cni_vec2 translation, cni_cast_hit *out, int32_t *out_feature);
 
 #endif

@@ -14,6 +14,13 @@
  */
 #include "collision/cast.h"
 
+static int32_t hit_make(float fraction, cni_vec2 point, cni_vec2 normal, cni_cast_hit *out)
+{
+	const cni_cast_hit hit = { fraction, point, normal, 0.0f, 0 };
+	*out = hit;
+	return 1;
+}
+
 /* ------------------------------------------------------------------ disc */
 
 /* The origin is outside. */
@@ -21,7 +28,7 @@ static int32_t disc_enter(cni_vec2 center, float radius, cni_vec2 origin, cni_ve
 {
 	float length = cni_length(translation);
 	cni_vec2 direction = cni_normalize(translation);
-	cni_vec2 from = cni_sub(origin, center);
+	cni_vec2 from = cni_sub(origin, center), normal;
 	float nearest = -cni_dot(from, direction);
 	float off_sq = cni_length_sq(cni_madd(from, nearest, direction));
 	float at;
@@ -31,22 +38,18 @@ static int32_t disc_enter(cni_vec2 center, float radius, cni_vec2 origin, cni_ve
 	if (nearest < 0.0f || at > length)
 		return 0;
 	at = cni_max(at, 0.0f);
-	out->depth = 0.0f;
-	out->inside = 0;
-	out->fraction = cni_min(at / length, 1.0f);
-	out->normal = cni_normalize(cni_madd(from, at, direction));
-	out->point = cni_madd(center, radius, out->normal);
-	return 1;
+	normal = cni_normalize(cni_madd(from, at, direction));
+	return hit_make(cni_min(at / length, 1.0f), cni_madd(center, radius, normal), normal, out);
 }
 
 /* ------------------------------------------------------------------ convex skeleton */
 
-static int32_t next_of(const cni_cast_hull *hull, int32_t i)
+static int32_t next_of(const cni_faces *hull, int32_t i)
 {
 	return i + 1 < hull->count ? i + 1 : 0;
 }
 
-static cni_vec2 face_normal(const cni_cast_hull *hull, int32_t i)
+static cni_vec2 face_normal(const cni_faces *hull, int32_t i)
 {
 	if (hull->normals != NULL)
 		return hull->normals[i];
@@ -60,7 +63,7 @@ typedef struct outline {
 	int32_t feature;
 } outline;
 
-static outline outline_nearest(const cni_cast_hull *hull, cni_vec2 origin)
+static outline outline_nearest(const cni_faces *hull, cni_vec2 origin)
 {
 	outline best = { hull->points[0], 0.0f, 0 };
 	best.distance_sq = cni_distance_sq(origin, hull->points[0]);
@@ -80,16 +83,13 @@ static outline outline_nearest(const cni_cast_hull *hull, cni_vec2 origin)
 
 static int32_t inside_make(cni_vec2 on_skeleton, cni_vec2 normal, float radius, float depth, cni_cast_hit *out)
 {
-	out->fraction = 0.0f;
-	out->normal = normal;
-	out->point = cni_madd(on_skeleton, radius, normal);
-	out->depth = cni_max(depth, 0.0f);
-	out->inside = 1;
+	const cni_cast_hit hit = { 0.0f, cni_madd(on_skeleton, radius, normal), normal, cni_max(depth, 0.0f), 1 };
+	*out = hit;
 	return 1;
 }
 
 /* An origin within the radius of the outline: the hit at the start; 0 when the origin is not. */
-static int32_t inside_outline(const cni_cast_hull *hull, cni_vec2 origin, cni_cast_hit *out, int32_t *out_feature)
+static int32_t inside_outline(const cni_faces *hull, cni_vec2 origin, cni_cast_hit *out, int32_t *out_feature)
 {
 	outline near = outline_nearest(hull, origin);
 	float distance = cni_sqrt(near.distance_sq);
@@ -104,7 +104,7 @@ static int32_t inside_outline(const cni_cast_hull *hull, cni_vec2 origin, cni_ca
 	return inside_make(near.point, normal, hull->radius, hull->radius - distance, out);
 }
 
-static int32_t nearest_vertex(const cni_cast_hull *hull, cni_vec2 point)
+static int32_t nearest_vertex(const cni_faces *hull, cni_vec2 point)
 {
 	int32_t best = 0;
 	for (int32_t i = 1; i < hull->count; ++i)
@@ -123,7 +123,7 @@ typedef struct clip {
 } clip;
 
 /* 0 when the ray misses. */
-static int32_t hull_clip(const cni_cast_hull *hull, cni_vec2 origin, cni_vec2 translation, clip *c)
+static int32_t hull_clip(const cni_faces *hull, cni_vec2 origin, cni_vec2 translation, clip *c)
 {
 	c->enter = -1.0f;
 	c->leave = 1.0f;
@@ -152,15 +152,15 @@ static int32_t hull_clip(const cni_cast_hull *hull, cni_vec2 origin, cni_vec2 tr
 	return c->enter <= c->leave;
 }
 
-static int32_t vertex_enter(const cni_cast_hull *hull, int32_t vertex, cni_vec2 origin, cni_vec2 translation, cni_cast_hit *out, int32_t *out_feature)
+static int32_t vertex_enter(const cni_faces *hull, int32_t vertex, cni_vec2 origin, cni_vec2 translation, cni_cast_hit *out, int32_t *out_feature)
 {
 	*out_feature = vertex;
 	return hull->radius > 0.0f && disc_enter(hull->points[vertex], hull->radius, origin, translation, out);
 }
 
-static int32_t face_enter(const cni_cast_hull *hull, const clip *c, cni_vec2 origin, cni_vec2 translation, cni_cast_hit *out, int32_t *out_feature)
+static int32_t face_enter(const cni_faces *hull, const clip *c, cni_vec2 origin, cni_vec2 translation, cni_cast_hit *out, int32_t *out_feature)
 {
-	int32_t next = c->face + 1 < hull->count ? c->face + 1 : 0;
+	int32_t next = next_of(hull, c->face);
 	cni_vec2 a = hull->points[c->face], edge = cni_sub(hull->points[next], a);
 	float at = cni_dot(cni_sub(cni_madd(origin, c->enter, translation), a), edge);
 	float length_sq = cni_length_sq(edge);
@@ -169,23 +169,19 @@ static int32_t face_enter(const cni_cast_hull *hull, const clip *c, cni_vec2 ori
 	if (hull->radius > 0.0f && at > length_sq)
 		return vertex_enter(hull, next, origin, translation, out, out_feature);
 	*out_feature = hull->count + c->face;
-	out->depth = 0.0f;
-	out->inside = 0;
-	out->fraction = c->enter;
-	out->normal = c->normal;
-	out->point = cni_madd(cni_madd(a, cni_clamp(at / length_sq, 0.0f, 1.0f), edge), hull->radius, c->normal);
-	return 1;
+	a = cni_madd(a, cni_clamp(at / length_sq, 0.0f, 1.0f), edge);
+	return hit_make(c->enter, cni_madd(a, hull->radius, c->normal), c->normal, out);
 }
 
 /* An origin inside the skeleton: the way out is through the nearest face. */
-static int32_t inside_skeleton(const cni_cast_hull *hull, const clip *c, cni_vec2 origin, cni_cast_hit *out, int32_t *out_feature)
+static int32_t inside_skeleton(const cni_faces *hull, const clip *c, cni_vec2 origin, cni_cast_hit *out, int32_t *out_feature)
 {
 	cni_vec2 normal = face_normal(hull, c->face_most);
 	*out_feature = hull->count + c->face_most;
 	return inside_make(cni_madd(origin, -c->height_most, normal), normal, hull->radius, hull->radius - c->height_most, out);
 }
 
-int32_t cni_cast_hull_ray(const cni_cast_hull *hull, cni_vec2 origin, cni_vec2 translation, cni_cast_hit *out, int32_t *out_feature)
+int32_t cni_cast_hull_ray(const cni_faces *hull, cni_vec2 origin, cni_vec2 translation, cni_cast_hit *out, int32_t *out_feature)
 {
 	clip c;
 	*out_feature = CNI_NONE;
@@ -222,12 +218,7 @@ static int32_t edge_enter(cni_vec2 a, cni_vec2 b, int32_t one_sided, cni_vec2 or
 	}
 	if (!(speed < 0.0f && height >= 0.0f && height <= -speed))
 		return 0;
-	out->depth = 0.0f;
-	out->inside = 0;
-	out->fraction = height / -speed;
-	out->normal = normal;
-	out->point = cni_madd(a, side_a / (side_a - side_b), edge);
-	return 1;
+	return hit_make(height / -speed, cni_madd(a, side_a / (side_a - side_b), edge), normal, out);
 }
 
 /* ------------------------------------------------------------------ any shape */
@@ -236,7 +227,7 @@ int32_t cni_cast_ray(const cni_geometry *g, int32_t child, cni_vec2 origin, cni_
 {
 	cni_vec2 storage[2];
 	cni_proxy_points set = cni_geometry_proxy(g, child, storage);
-	cni_cast_hull hull = { set.points, g->type == CN_SHAPE_POLYGON ? cni_geometry_normals(g) : NULL, set.count, set.radius };
+	cni_faces hull = { set.points, g->type == CN_SHAPE_POLYGON ? cni_geometry_normals(g) : NULL, set.count, set.radius };
 	int32_t feature;
 	if (g->type == CN_SHAPE_EDGE || g->type == CN_SHAPE_CHAIN)
 		return edge_enter(set.points[0], set.points[1], g->type == CN_SHAPE_CHAIN, origin, translation, out);

@@ -140,7 +140,7 @@ int32_t cni_cast_points(const cni_geometry *g, int32_t child, cni_proxy_points m
 	for (int32_t i = 0; i < moving.count; ++i)
 		m[i] = cni_transform_point(moving_in_g, moving.points[i]);
 	difference_make(&d, a.points, a.count, m, moving.count);
-	cni_cast_hull hull = { d.points, d.normals, d.count, a.radius + moving.radius };
+	cni_faces hull = { d.points, d.normals, d.count, a.radius + moving.radius };
 	if (!cni_cast_hull_ray(&hull, cni_v(0.0f, 0.0f), translation, out, &feature))
 		return 0;
 	if (g->type == CN_SHAPE_CHAIN && out->inside)

@@ -46,13 +46,8 @@ static int32_t support(const cni_vec2 *points, int32_t count, cni_vec2 direction
 
 static vertex vertex_make(const query *q, int32_t ia, int32_t ib)
 {
-	vertex v;
-	v.a = q->points_a[ia];
-	v.b = cni_transform_point(q->b_in_a, q->points_b[ib]);
-	v.w = cni_sub(v.b, v.a);
-	v.share = 1.0f;
-	v.ia = ia;
-	v.ib = ib;
+	cni_vec2 a = q->points_a[ia], b = cni_transform_point(q->b_in_a, q->points_b[ib]);
+	vertex v = { a, b, cni_sub(b, a), 1.0f, ia, ib };
 	return v;
 }
 
@@ -201,28 +196,20 @@ cni_closest cni_closest_find(const cni_vec2 *points_a, int32_t count_a, const cn
 	return out;
 }
 
-cni_distance_result cni_distance(cni_proxy_points a, cni_proxy_points b, cni_transform b_in_a)
+cni_closest cni_distance(cni_proxy_points a, cni_proxy_points b, cni_transform b_in_a)
 {
 	cni_closest c = cni_closest_find(a.points, a.count, b.points, b.count, b_in_a);
-	cni_distance_result out;
-	out.normal = c.normal;
-	out.iterations = c.iterations;
-	out.point_a = cni_madd(c.point_a, a.radius, c.normal);
-	out.point_b = cni_madd(c.point_b, -b.radius, c.normal);
-	out.distance = c.distance > 0.0f ? c.distance - a.radius - b.radius : 0.0f;
-	return out;
+	c.point_a = cni_madd(c.point_a, a.radius, c.normal);
+	c.point_b = cni_madd(c.point_b, -b.radius, c.normal);
+	c.distance = c.distance > 0.0f ? c.distance - a.radius - b.radius : 0.0f;
+	return c;
 }
 
 static void segments_try(cni_segment_distance *best, cni_vec2 a, cni_vec2 b, float fraction_a, float fraction_b)
 {
-	float distance_sq = cni_distance_sq(a, b);
-	if (distance_sq >= best->distance_sq)
-		return;
-	best->point_a = a;
-	best->point_b = b;
-	best->fraction_a = fraction_a;
-	best->fraction_b = fraction_b;
-	best->distance_sq = distance_sq;
+	const cni_segment_distance found = { a, b, fraction_a, fraction_b, cni_distance_sq(a, b) };
+	if (!(found.distance_sq >= best->distance_sq))
+		*best = found;
 }
 
 /* A proper crossing; touching ends are found by the end tests. */

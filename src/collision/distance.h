@@ -7,18 +7,7 @@
 
 #include "geometry/shape.h"
 
-typedef struct cni_distance_result {
-	cni_vec2 point_a;   /* on the surface of a (radius included), in a's frame */
-	cni_vec2 point_b;   /* on the surface of b, in a's frame */
-	cni_vec2 normal;    /* unit, from a to b; (0, 0) when the skeletons overlap */
-	float distance;     /* between the surfaces; negative when only the radii overlap; 0 when the skeletons overlap */
-	int32_t iterations;
-} cni_distance_result;
-
-/* b_in_a maps b's frame into a's. */
-cni_distance_result cni_distance(cni_proxy_points a, cni_proxy_points b, cni_transform b_in_a);
-
-/* Distance of the skeletons, with the closest features. */
+/* Distance of the skeletons, with the closest features; points in a's frame. */
 typedef struct cni_closest {
 	cni_vec2 point_a;
 	cni_vec2 point_b;
@@ -28,7 +17,10 @@ typedef struct cni_closest {
 	int32_t index_b[2];
 	int32_t iterations;
 } cni_closest;
+/* b_in_a maps b's frame into a's. */
 cni_closest cni_closest_find(const cni_vec2 *points_a, int32_t count_a, const cni_vec2 *points_b, int32_t count_b, cni_transform b_in_a);
+/* The same of the surfaces, radii included: the distance is negative when only the radii overlap. */
+cni_closest cni_distance(cni_proxy_points a, cni_proxy_points b, cni_transform b_in_a);
 
 typedef struct cni_segment_distance {
 	cni_vec2 point_a;   /* closest points on p1-q1 and p2-q2 */

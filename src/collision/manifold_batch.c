@@ -11,15 +11,7 @@
 
 cni_batch_kernel_fn *cni_batch_kernel_choose(void)
 {
-#if CNI_HAS_WIDE_8
-	if (cni_cpu_has_avx2())
-		return cni_batch_kernel_8;
-#endif
-#if CNI_HAS_WIDE_4
-	return cni_batch_kernel_4;
-#else
-	return NULL;
-#endif
+	return CNI_WIDEST(NULL, cni_batch_kernel_4, cni_batch_kernel_8);
 }
 
 static void axis_add(cni_manifold_batch *batch, int32_t k, const cni_manifold_input *in, int32_t axis)

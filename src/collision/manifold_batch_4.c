@@ -7,6 +7,4 @@
 #define CNI_WIDTH 4
 #define CNI_KERNEL cni_batch_kernel_4
 #include "collision/manifold_batch_kernel.h"
-#else
-typedef int cni_no_batch_kernel_4;
 #endif

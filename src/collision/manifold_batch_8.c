@@ -14,6 +14,4 @@
 #define CNI_KERNEL cni_batch_kernel_8
 #include "collision/manifold_batch_kernel.h"
 #include "base/avx2_end.h"
-#else
-typedef int cni_no_batch_kernel_8;
 #endif

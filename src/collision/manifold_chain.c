@@ -14,7 +14,6 @@
  * faces only prove separation and never become the normal, so an inner corner cannot push along the surface.
  */
 #include "collision/manifold_faces.h"
-#include "collision/manifold_table.h"
 
 /* Sine of the turn up to which a corner counts as flat: about half a degree. */
 #define FLAT_SINE_MAX 0.01f

@@ -20,7 +20,6 @@
  * reference, and an id names the same two features either way.
  */
 #include "collision/manifold_faces.h"
-#include "collision/manifold_table.h"
 #include "collision/distance.h"
 
 static const cni_transform same_frame = { { 1.0f, 0.0f }, { 0.0f, 0.0f } };
@@ -165,13 +164,11 @@ typedef struct contact_end {
 
 static contact_end clip_end(const clip *c, int32_t side)
 {
-	contact_end e;
 	float beyond = cni_max(side ? c->at[1] - c->length : -c->at[0], 0.0f);
 	float width = cni_max(c->at[1] - c->at[0], FLT_MIN);
 	float fraction = cni_min(beyond / width, 1.0f);
-	e.point = cni_lerp(c->point[side], c->point[1 - side], fraction);
-	e.height = c->height[side] + fraction * (c->height[1 - side] - c->height[side]);
-	e.vertex = side;
+	float height = c->height[side] + fraction * (c->height[1 - side] - c->height[side]);
+	contact_end e = { cni_lerp(c->point[side], c->point[1 - side], fraction), height, side };
 	return e;
 }
 

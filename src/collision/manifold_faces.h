@@ -20,14 +20,6 @@
 /* Feature numbers in ids. */
 #define CNI_FEATURE_EDGE 16
 
-/* A convex skeleton: points counter-clockwise, normals[i] of the face points[i] -> points[i + 1]. */
-typedef struct cni_faces {
-	const cni_vec2 *points;
-	const cni_vec2 *normals;
-	int32_t count;
-	float radius;
-} cni_faces;
-
 typedef struct cni_faces_storage {
 	cni_vec2 points[CN_POLYGON_MAX_VERTICES];
 	cni_vec2 normals[CN_POLYGON_MAX_VERTICES];
@@ -59,12 +51,19 @@ static inline uint32_t cni_manifold_id(int32_t feature_a, int32_t feature_b)
 	return ((uint32_t)feature_a + 1u) << 8 | ((uint32_t)feature_b + 1u);
 }
 
-/* Skeleton of a polygon or a segment in its own frame. */
-static inline cni_faces cni_faces_of(const cni_geometry *g)
-{
-	cni_faces f = { cni_geometry_points(g), cni_geometry_normals(g), g->count, g->radius };
-	return f;
-}
+/* ---- the functions of the table in manifold_table.c */
+
+/* manifold_round.c */
+cni_manifold_fn cni_collide_circles;
+cni_manifold_fn cni_collide_circle_segment; /* capsules, edges */
+cni_manifold_fn cni_collide_circle_polygon;
+/* manifold_faces.c: polygons, capsules, edges */
+cni_manifold_fn cni_collide_polygons;
+/* manifold_chain.c */
+cni_manifold_fn cni_collide_circle_chain;
+cni_manifold_fn cni_collide_faces_chain; /* capsules, polygons */
+
+/* ---- parts of them */
 
 /* The manifold along an axis, both skeletons in a's frame. chain: NULL, or b's chain edge (face 0 of b is its front). */
 void cni_faces_manifold(const cni_faces *a, const cni_faces *b, cni_axis axis, const cni_chain_edge *chain,

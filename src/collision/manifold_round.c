@@ -4,7 +4,6 @@
  * normal (or, for two circles, +y) replaces the undefined direction, so the normal is always unit.
  */
 #include "collision/manifold_faces.h"
-#include "collision/manifold_table.h"
 
 /* Below this length in metres a direction is not taken from a difference of points. */
 #define LENGTH_MIN 1.0e-12f
@@ -34,11 +33,9 @@ static void nearest_emit(const nearest *near, const cni_manifold_input *in, cni_
 
 static nearest nearest_to_point(cni_vec2 center, cni_vec2 point, cni_vec2 fallback, int32_t feature)
 {
-	nearest near;
 	cni_vec2 d = cni_sub(center, point);
-	near.distance = cni_length(d);
-	near.normal = near.distance > LENGTH_MIN ? cni_mul(1.0f / near.distance, d) : fallback;
-	near.feature = feature;
+	float distance = cni_length(d);
+	nearest near = { distance > LENGTH_MIN ? cni_mul(1.0f / distance, d) : fallback, distance, feature };
 	return near;
 }
 
@@ -82,32 +79,16 @@ static float face_height(const cni_geometry *g, int32_t edge, cni_vec2 point)
 	return cni_dot(cni_geometry_normals(g)[edge], cni_sub(point, cni_geometry_points(g)[edge]));
 }
 
-/* Best face of a box: computes the four faces side by side. */
-static int32_t box_face(const cni_geometry *g, cni_vec2 center, float *out_height)
-{
-	float h[4];
-	for (int32_t i = 0; i < 4; ++i)
-		h[i] = face_height(g, i, center);
-	float best01 = cni_max(h[1], h[0]);
-	float best23 = cni_max(h[3], h[2]);
-	*out_height = cni_max(best23, best01);
-	return best23 > best01 ? 2 + (h[3] > h[2]) : h[1] > h[0];
-}
-
 /* The face of greatest height under the centre. Inside, the cached face is preferred, so that a centre deep in the middle
    does not jump between faces. */
 static int32_t face_find(const cni_geometry *g, cni_vec2 center, int32_t cached, float touch, float *out_height)
 {
 	int32_t best = 0;
 	float height = face_height(g, 0, center);
-	if (g->count == 4) {
-		best = box_face(g, center, &height);
-	} else {
-		for (int32_t i = 1; i < g->count; ++i) {
-			float h = face_height(g, i, center);
-			best = h > height ? i : best;
-			height = cni_max(h, height);
-		}
+	for (int32_t i = 1; i < g->count; ++i) {
+		float h = face_height(g, i, center);
+		best = h > height ? i : best;
+		height = cni_max(h, height);
 	}
 	if (height < 0.0f && cached > CN_POLYGON_MAX_VERTICES && cached <= CN_POLYGON_MAX_VERTICES + g->count) {
 		int32_t edge = cached - CN_POLYGON_MAX_VERTICES - 1;

@@ -1,7 +1,7 @@
 /*
  * collision/manifold_table.c - the table of manifold functions by pair of shape types.
  */
-#include "collision/manifold_table.h"
+#include "collision/manifold_faces.h"
 
 #define TYPES 5
 

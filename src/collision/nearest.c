@@ -5,18 +5,9 @@
 #include "collision/nearest.h"
 #include "collision/distance.h"
 
-static cni_vec2 on_segment(cni_vec2 point, cni_vec2 a, cni_vec2 b)
-{
-	cni_vec2 edge = cni_sub(b, a);
-	return cni_madd(a, cni_segment_fraction(point, a, edge), edge);
-}
-
 static cni_nearest nearest_make(cni_vec2 on_skeleton, cni_vec2 normal, float height, float radius)
 {
-	cni_nearest n;
-	n.distance = height - radius;
-	n.point = cni_madd(on_skeleton, radius, normal);
-	n.normal = normal;
+	cni_nearest n = { height - radius, cni_madd(on_skeleton, radius, normal), normal };
 	return n;
 }
 
@@ -52,7 +43,7 @@ cni_nearest cni_geometry_nearest(const cni_geometry *g, int32_t child, cni_vec2 
 	if (set.count == 2)
 		normal = cni_normalize(cni_right_perp(cni_sub(set.points[1], set.points[0])));
 	for (int32_t i = 0; i < edges; ++i) {
-		cni_vec2 on = on_segment(local, set.points[i], set.points[i + 1 < set.count ? i + 1 : 0]);
+		cni_vec2 a = set.points[i], on = cni_segment_nearest(local, a, cni_sub(set.points[i + 1 < set.count ? i + 1 : 0], a));
 		if (i == 0 || cni_distance_sq(local, on) < cni_distance_sq(local, best))
 			best = on;
 	}

@@ -24,11 +24,9 @@ typedef struct face {
 static face face_of(const cni_geometry *g, int32_t index)
 {
 	const cni_vec2 *p = cni_geometry_points(g);
-	face f;
-	f.normal = cni_geometry_normals(g)[index];
-	f.start = cni_madd(p[index], g->radius, f.normal);
-	f.along = cni_left_perp(f.normal);
-	f.length = cni_dot(f.along, cni_sub(p[index + 1 < g->count ? index + 1 : 0], p[index]));
+	cni_vec2 normal = cni_geometry_normals(g)[index], along = cni_left_perp(normal);
+	float length = cni_dot(along, cni_sub(p[index + 1 < g->count ? index + 1 : 0], p[index]));
+	face f = { cni_madd(p[index], g->radius, normal), normal, along, length };
 	return f;
 }
 

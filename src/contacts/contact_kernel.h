@@ -535,9 +535,7 @@ CNI_INLINE void warm_group(cni_motion *motions, const cni_external *externals, c
 		a.w -= a.i * roll;
 		b.w += b.i * roll;
 	}
-	side_scatter(motions, k->ia + l, &a);
-	if (!pass->one_sided)
-		side_scatter(motions, k->ib + l, &b);
+	sides_scatter(motions, k, l, &a, &b, pass);
 }
 
 static void kernel_warm(const cni_color_pass *c, int32_t begin, int32_t end)

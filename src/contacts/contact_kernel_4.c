@@ -7,6 +7,4 @@
 #define CNI_WIDTH 4
 #define CNI_KERNEL cni_contact_kernel_4
 #include "contacts/contact_kernel.h"
-#else
-typedef int cni_no_kernel_4;
 #endif

@@ -14,6 +14,4 @@
 #define CNI_KERNEL cni_contact_kernel_8
 #include "contacts/contact_kernel.h"
 #include "base/avx2_end.h"
-#else
-typedef int cni_no_kernel_8;
 #endif

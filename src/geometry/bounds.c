@@ -38,30 +38,19 @@ static void pairs_box(const cni_vec2 *points, int32_t count, float radius, const
 	*(cni_wide_loose *)(void *)out = __builtin_shufflevector(low, high, 0, 1, 4, 5);
 }
 
-#else
-
-static void pairs_box(const cni_vec2 *points, int32_t count, float radius, const cni_transform *x, cni_aabb *out)
-{
-	points_box(points, count, radius, x, out);
-}
-
 #endif
 
 void cni_geometry_box(const cni_geometry *g, int32_t child, const cni_transform *transform, cni_aabb *out)
 {
 	cni_vec2 storage[2];
-	cni_proxy_points edge;
-	switch (g->type) {
-	case CN_SHAPE_CIRCLE:
-		points_box(cni_geometry_points(g), 1, g->radius, transform, out);
-		break;
-	case CN_SHAPE_CHAIN:
-		edge = cni_geometry_proxy(g, child, storage);
-		points_box(edge.points, edge.count, edge.radius, transform, out);
-		break;
-	default:
-		pairs_box(cni_geometry_points(g), g->count, g->radius, transform, out);
+	cni_proxy_points set = cni_geometry_proxy(g, child, storage);
+#if CNI_HAS_WIDE_4
+	if (set.count > 1) {
+		pairs_box(set.points, set.count, set.radius, transform, out);
+		return;
 	}
+#endif
+	points_box(set.points, set.count, set.radius, transform, out);
 }
 
 cni_aabb cni_geometry_bounds(const cni_geometry *g, cni_transform x)
@@ -77,8 +66,7 @@ cni_aabb cni_geometry_bounds(const cni_geometry *g, cni_transform x)
 
 static float point_to_segment_sq(cni_vec2 point, cni_vec2 a, cni_vec2 b)
 {
-	cni_vec2 edge = cni_sub(b, a);
-	return cni_distance_sq(point, cni_madd(a, cni_segment_fraction(point, a, edge), edge));
+	return cni_distance_sq(point, cni_segment_nearest(point, a, cni_sub(b, a)));
 }
 
 static int32_t polygon_contains(const cni_geometry *g, cni_vec2 point)

@@ -35,6 +35,7 @@ typedef struct outline {
 void cni_medium_region_make(cni_medium_region *region, const cni_geometry *g, cni_vec2 center, cni_rot q)
 {
 	const cni_vec2 *p = cni_geometry_points(g), *n = cni_geometry_normals(g);
+	cni_vec2 axis, to, way;
 	int32_t k;
 	if (g->type == CN_SHAPE_POLYGON) {
 		region->count = g->count;
@@ -44,17 +45,12 @@ void cni_medium_region_make(cni_medium_region *region, const cni_geometry *g, cn
 		}
 		return;
 	}
-	{
-		cni_vec2 to = cni_sub(center, p[0]), way;
-		if (g->count == 2) {
-			cni_vec2 axis = cni_sub(p[1], p[0]);
-			to = cni_sub(to, cni_mul(cni_clamp(cni_dot(to, axis) / cni_length_sq(axis), 0.0f, 1.0f), axis));
-		}
-		way = cni_normalize(to);
-		region->count = 1;
-		region->normals[0] = cni_rotate(q, way.x == 0.0f && way.y == 0.0f ? cni_v(0.0f, 1.0f) : way);
-		region->offsets[0] = g->radius - cni_length(to);
-	}
+	axis = g->count == 2 ? cni_sub(p[1], p[0]) : cni_v(0.0f, 0.0f);
+	to = cni_madd(cni_sub(center, p[0]), -cni_segment_fraction(center, p[0], axis), axis);
+	way = cni_normalize(to);
+	region->count = 1;
+	region->normals[0] = cni_rotate(q, way.x == 0.0f && way.y == 0.0f ? cni_v(0.0f, 1.0f) : way);
+	region->offsets[0] = g->radius - cni_length(to);
 }
 
 /* ---- drag and lift ---- */

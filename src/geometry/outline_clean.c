@@ -60,16 +60,11 @@ static int32_t collinear_remove(cni_vec2 *points, int32_t count, float height_mi
 	return count;
 }
 
-static int32_t boxes_apart(cni_vec2 a, cni_vec2 b, cni_vec2 c, cni_vec2 d)
-{
-	return cni_max(a.x, b.x) < cni_min(c.x, d.x) || cni_max(c.x, d.x) < cni_min(a.x, b.x)
-		|| cni_max(a.y, b.y) < cni_min(c.y, d.y) || cni_max(c.y, d.y) < cni_min(a.y, b.y);
-}
-
 /* 1 if the segments ab and cd have a common point. */
 static int32_t segments_meet(cni_vec2 a, cni_vec2 b, cni_vec2 c, cni_vec2 d)
 {
-	if (boxes_apart(a, b, c, d))
+	cni_aabb first = cni_aabb_of_segment(a, b), second = cni_aabb_of_segment(c, d);
+	if (!cni_aabb_overlap(&first, &second))
 		return 0;
 	return cni_orientation(a, b, c) * cni_orientation(a, b, d) <= 0 && cni_orientation(c, d, a) * cni_orientation(c, d, b) <= 0;
 }

@@ -114,4 +114,19 @@ typedef struct cni_proxy_points {
 } cni_proxy_points;
 cni_proxy_points cni_geometry_proxy(const cni_geometry *g, int32_t child, cni_vec2 edge_storage[2]);
 
+/* A convex skeleton: points counter-clockwise, normals[i] of the face points[i] -> points[i + 1]. */
+typedef struct cni_faces {
+	const cni_vec2 *points;
+	const cni_vec2 *normals;
+	int32_t count;
+	float radius;
+} cni_faces;
+
+/* Skeleton of a polygon or a segment in its own frame. */
+static inline cni_faces cni_faces_of(const cni_geometry *g)
+{
+	cni_faces f = { cni_geometry_points(g), cni_geometry_normals(g), g->count, g->radius };
+	return f;
+}
+
 #endif

@@ -58,7 +58,7 @@ CNI_INLINE int32_t circle_is_far(const cn_world *world, const cni_touch_pair *p,
 	center = cni_rotate(a->q, cni_sub(cni_geometry_points(circle)[0], a->local_center));
 	edge = cni_rotate(b->q, cni_sub(points[1], points[0]));
 	start = cni_add(cni_body_a_to_b(a, b), cni_rotate(b->q, cni_sub(points[0], b->local_center)));
-	nearest = cni_madd(start, cni_segment_fraction(center, start, edge), edge);
+	nearest = cni_segment_nearest(center, start, edge);
 	reach = circle->radius + other->radius + world->settings.contact_margin + dt * (cni_length(cni_v(a->vx - b->vx, a->vy - b->vy)) + turn_of(a, b));
 	return cni_distance_sq(center, nearest) > reach * reach;
 }

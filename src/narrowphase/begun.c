@@ -40,11 +40,7 @@ void cni_begun_close(cni_begun_store *store, cn_world *world)
 
 cni_begun cni_begun_of(const cni_touch *t)
 {
-	cni_begun b;
-	b.manifold = t->manifold;
-	b.gap = t->gap;
-	b.radius[0] = t->radius[0];
-	b.radius[1] = t->radius[1];
+	cni_begun b = { t->manifold, t->gap, { t->radius[0], t->radius[1] } };
 	return b;
 }
 

@@ -21,10 +21,8 @@
  * Reads bodies, shapes, the broadphase; writes the position changes of stopped bodies, and the velocities of sliding ones.
  */
 #include "narrowphase/narrowphase.h"
-#include "narrowphase/deep_bodies.h"
+#include "narrowphase/touch.h"
 #include "collision/distance.h"
-#include "collision/toi.h"
-#include "model/solve.h"
 #include "model/tuning.h"
 
 #include <float.h>
@@ -103,15 +101,10 @@ typedef struct clamp {
 	core_shape touching_core; /* ... the core that touches it */
 } clamp;
 
-static cni_path body_path(const cni_body *b, cni_vec2 from, float dpx, float dpy, float theta)
+/* The rest of the step's motion, relative to a point near the body. */
+static cni_path path_of(const cni_body *b, cni_vec2 from, const cni_motion *m)
 {
-	cni_path p;
-	p.start = cni_v((b->cx - from.x) + b->cx_low, (b->cy - from.y) + b->cy_low);
-	p.end = cni_v(p.start.x + dpx, p.start.y + dpy);
-	p.q = b->q;
-	p.turn = theta;
-	p.local_center = b->local_center;
-	return p;
+	return cni_body_path(b, from, cni_v(m->dpx, m->dpy), m->theta);
 }
 
 /* Computes core and reach. The radius that the core lost shortens the reach at every angle. */
@@ -129,11 +122,7 @@ static void core_begin(clamp *c, const cni_geometry *g)
 /* Most static shapes near a body lie outside the swept core. */
 static int32_t core_reaches(const clamp *c, const cni_aabb *box)
 {
-	cni_aabb near = *box;
-	near.x0 -= c->body->cx;
-	near.x1 -= c->body->cx;
-	near.y0 -= c->body->cy;
-	near.y1 -= c->body->cy;
+	cni_aabb near = cni_box_moved(*box, cni_v(-c->body->cx, -c->body->cy));
 	return cni_aabb_overlap(&c->reach, &near);
 }
 
@@ -272,7 +261,6 @@ static float visit_candidate(void *context, int32_t proxy, float limit)
 	const cni_proxy *p = cni_proxy_at(world, proxy);
 	const cni_shape *s;
 	const cni_body *other;
-	const cni_motion *motion;
 	cni_toi_input in;
 	if (!other_blocks(c, proxy) || ((p->flags & CNI_PROXY_STATIC) && !core_reaches(c, &p->fat))) /* rejected by the proxy alone */
 		return limit;
@@ -282,8 +270,7 @@ static float visit_candidate(void *context, int32_t proxy, float limit)
 	in.a = cni_shape_geometry(&world->blocks, s);
 	in.child_a = cni_proxy_child(p);
 	in.child_b = 0;
-	motion = cni_motions(world) + other->awake; /* the dummy for static ones */
-	in.path_a = body_path(other, cni_v(c->body->cx, c->body->cy), motion->dpx, motion->dpy, motion->theta);
+	in.path_a = path_of(other, cni_v(c->body->cx, c->body->cy), cni_motions(world) + other->awake); /* the dummy for static ones */
 	in.path_b = c->path;
 	if (!core_clamp(c, &c->core, &in, other))
 		inner_clamp(c, &in, other);
@@ -293,12 +280,7 @@ static float visit_candidate(void *context, int32_t proxy, float limit)
 /* Bounds the body's shapes on the whole path at any angle. */
 static cni_aabb swept_box(const cni_body *b, const cni_motion *m)
 {
-	cni_aabb box;
-	box.x0 = b->cx + cni_min(m->dpx, 0.0f) - b->extent;
-	box.x1 = b->cx + cni_max(m->dpx, 0.0f) + b->extent;
-	box.y0 = b->cy + cni_min(m->dpy, 0.0f) - b->extent;
-	box.y1 = b->cy + cni_max(m->dpy, 0.0f) + b->extent;
-	return box;
+	return cni_box_fatten(cni_aabb_of_segment(cni_v(b->cx, b->cy), cni_v(b->cx + m->dpx, b->cy + m->dpy)), b->extent);
 }
 
 static void motion_shorten(cni_motion *m, float fraction)
@@ -313,97 +295,7 @@ static int32_t shape_can_tunnel(const cni_shape *s, int32_t proxy)
 	return s->type != CN_SHAPE_CHAIN && !(s->flags & CN_SHAPE_SENSOR) && proxy != CNI_NONE;
 }
 
-static void clamp_begin(clamp *c, cn_world *world, int32_t body, int32_t targets)
-{
-	const cni_body *b = cni_body_at(world, body);
-	const cni_motion *m = cni_motions(world) + b->awake;
-	c->world = world;
-	c->body = b;
-	c->targets = targets;
-	c->fraction = 1.0f;
-	c->blocking_body = 0;
-	c->path = body_path(b, cni_v(b->cx, b->cy), m->dpx, m->dpy, m->theta);
-}
-
-static void clamp_end(const clamp *c)
-{
-	cni_motion *motions = cni_motions(c->world);
-	motion_shorten(&motions[c->body->awake], c->fraction);
-	if (c->blocking_body != 0) /* its path was not checked beyond that fraction: it could sweep over the bullet */
-		motion_shorten(&motions[c->blocking_body], c->fraction);
-}
-
-/* Finds the free fraction of the body's path against every shape that the broadphase reports. */
-static void clamp_find(clamp *c, cn_world *world, int32_t body, int32_t targets)
-{
-	const cni_body *b = cni_body_at(world, body);
-	cni_aabb box = swept_box(b, cni_motions(world) + b->awake);
-	int32_t shape;
-	clamp_begin(c, world, body, targets);
-	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
-		const cni_shape *s = cni_shape_at(world, shape);
-		c->proxy = cni_shape_proxy(world, s, 0);
-		if (!shape_can_tunnel(s, c->proxy))
-			continue;
-		core_begin(c, cni_shape_geometry(&world->blocks, s));
-		world->broadphase_ops->query(world->broadphase, &box, visit_candidate, c);
-	}
-}
-
-/*
- * Cancels what of the path leads into the shape from the point of contact on, as an impulse there would: the body slides, and turns about the
- * point. A body that is there at once loses its approach speed likewise. The path is then moved outwards by the penetration that its curvature
- * causes plus a bound of the rounding error.
- */
-static void motion_slide(cni_motion *m, const clamp *c)
-{
-	cni_vec2 n = c->normal, from = cni_v(c->body->cx, c->body->cy);
-	cni_path path = body_path(c->body, from, c->fraction * m->dpx, c->fraction * m->dpy, c->fraction * m->theta);
-	float advance = path_advance_along(&c->touching_core.geometry, 0, &path, n);
-	float arm = cni_cross(c->arm, n), mass = cni_max(m->inv_mass + m->inv_inertia * arm * arm, FLT_MIN);
-	float speed = c->fraction > 0.0f ? 0.0f : cni_max(-(m->vx * n.x + m->vy * n.y + m->w * arm), 0.0f) / mass;
-	float shift = (1.0f - c->fraction) * cni_max(-(m->dpx * n.x + m->dpy * n.y + m->theta * arm), 0.0f) / mass, out;
-	m->vx += speed * m->inv_mass * n.x;
-	m->vy += speed * m->inv_mass * n.y;
-	m->w += speed * m->inv_inertia * arm;
-	m->dpx += shift * m->inv_mass * n.x;
-	m->dpy += shift * m->inv_mass * n.y;
-	m->theta += shift * m->inv_inertia * arm;
-	path = body_path(c->body, from, m->dpx, m->dpy, m->theta);
-	out = cni_max(advance - path_advance_along(&c->touching_core.geometry, 0, &path, n), 0.0f);
-	out += 4.0f * FLT_EPSILON * (cni_abs(m->dpx) + cni_abs(m->dpy) + cni_abs(m->theta) * c->body->extent);
-	m->dpx += out * n.x;
-	m->dpy += out * n.y;
-}
-
-static int32_t may_slide(const clamp *c)
-{
-	return c->fraction < 1.0f && c->blocking_body == 0 && cni_length_sq(c->normal) > 0.0f &&
-	       !(c->body->flags & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y));
-}
-
-/* A body that a static shape stops slides, at most once. In a corner, or with a locked axis, it stays. */
-static void clamp_slide_or_end(clamp *c)
-{
-	cni_motion *m = cni_motions(c->world) + c->body->awake;
-	if (may_slide(c)) {
-		motion_slide(m, c);
-		clamp_find(c, c->world, cni_awake_ids(c->world)[c->body->awake], c->targets);
-	}
-	clamp_end(c);
-	if (cni_motion_keep_finite(m)) /* sliding along may overflow where the path is near the limits of float */
-		(void)cni_atomic_add(&c->world->bodies_stopped, 1u);
-}
-
-static void clamp_body(cn_world *world, int32_t body, int32_t targets)
-{
-	clamp c;
-	clamp_find(&c, world, body, targets);
-	clamp_slide_or_end(&c);
-}
-
-/* ---- bodies that can hit only static shapes they have contacts with ---- */
-
+/* Against the static shapes that it has contacts with. */
 static void shape_clamp_contacts(clamp *c, const cni_shape *s)
 {
 	const cn_world *world = c->world;
@@ -423,31 +315,88 @@ static void shape_clamp_contacts(clamp *c, const cni_shape *s)
 	}
 }
 
-static void clamp_against_contacts(cn_world *world, int32_t body)
+/* Finds the free fraction of the body's path: against every shape that the broadphase reports, or, for a body that can hit only
+   static shapes that it has contacts with, against these. */
+static void clamp_find(clamp *c, cn_world *world, int32_t body, int32_t targets, int32_t by_contacts)
 {
-	clamp c;
+	const cni_body *b = cni_body_at(world, body);
+	const cni_motion *m = cni_motions(world) + b->awake;
+	cni_aabb box = swept_box(b, m);
 	int32_t shape;
-	clamp_begin(&c, world, body, CLAMP_STATIC);
-	for (shape = c.body->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
-		c.proxy = cni_shape_proxy(world, cni_shape_at(world, shape), 0);
-		if (shape_can_tunnel(cni_shape_at(world, shape), c.proxy))
-			shape_clamp_contacts(&c, cni_shape_at(world, shape));
+	c->world = world;
+	c->body = b;
+	c->targets = targets;
+	c->fraction = 1.0f;
+	c->blocking_body = 0;
+	c->path = path_of(b, cni_v(b->cx, b->cy), m);
+	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
+		const cni_shape *s = cni_shape_at(world, shape);
+		c->proxy = cni_shape_proxy(world, s, 0);
+		if (!shape_can_tunnel(s, c->proxy))
+			continue;
+		if (by_contacts) {
+			shape_clamp_contacts(c, s);
+			continue;
+		}
+		core_begin(c, cni_shape_geometry(&world->blocks, s));
+		world->broadphase_ops->query(world->broadphase, &box, visit_candidate, c);
 	}
-	clamp_slide_or_end(&c);
 }
 
-static cni_aabb box_moved(cni_aabb box, const cni_motion *m)
+/*
+ * Cancels what of the path leads into the shape from the point of contact on, as an impulse there would: the body slides, and turns about the
+ * point. A body that is there at once loses its approach speed likewise. The path is then moved outwards by the penetration that its curvature
+ * causes plus a bound of the rounding error.
+ */
+static void motion_slide(cni_motion *m, const clamp *c)
 {
-	box.x0 += m->dpx;
-	box.y0 += m->dpy;
-	box.x1 += m->dpx;
-	box.y1 += m->dpy;
-	return box;
+	cni_vec2 n = c->normal, from = cni_v(c->body->cx, c->body->cy);
+	cni_path path = cni_body_path(c->body, from, cni_mul(c->fraction, cni_v(m->dpx, m->dpy)), c->fraction * m->theta);
+	float advance = path_advance_along(&c->touching_core.geometry, 0, &path, n);
+	float arm = cni_cross(c->arm, n), mass = cni_max(m->inv_mass + m->inv_inertia * arm * arm, FLT_MIN);
+	float speed = c->fraction > 0.0f ? 0.0f : cni_max(-(m->vx * n.x + m->vy * n.y + m->w * arm), 0.0f) / mass;
+	float shift = (1.0f - c->fraction) * cni_max(-(m->dpx * n.x + m->dpy * n.y + m->theta * arm), 0.0f) / mass, out;
+	m->vx += speed * m->inv_mass * n.x;
+	m->vy += speed * m->inv_mass * n.y;
+	m->w += speed * m->inv_inertia * arm;
+	m->dpx += shift * m->inv_mass * n.x;
+	m->dpy += shift * m->inv_mass * n.y;
+	m->theta += shift * m->inv_inertia * arm;
+	path = path_of(c->body, from, m);
+	out = cni_max(advance - path_advance_along(&c->touching_core.geometry, 0, &path, n), 0.0f);
+	out += 4.0f * FLT_EPSILON * (cni_abs(m->dpx) + cni_abs(m->dpy) + cni_abs(m->theta) * c->body->extent);
+	m->dpx += out * n.x;
+	m->dpy += out * n.y;
 }
+
+static int32_t may_slide(const clamp *c)
+{
+	return c->fraction < 1.0f && c->blocking_body == 0 && cni_length_sq(c->normal) > 0.0f &&
+	       !(c->body->flags & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y));
+}
+
+/* Shortens the body's motion. A body that a static shape stops slides, at most once. In a corner, or with a locked axis, it stays. */
+static void clamp_body(cn_world *world, int32_t body, int32_t targets, int32_t by_contacts)
+{
+	cni_motion *m = cni_motions(world) + cni_body_at(world, body)->awake;
+	clamp c;
+	clamp_find(&c, world, body, targets, by_contacts);
+	if (may_slide(&c)) {
+		motion_slide(m, &c);
+		clamp_find(&c, world, body, targets, 0);
+	}
+	motion_shorten(m, c.fraction);
+	if (c.blocking_body != 0) /* its path was not checked beyond that fraction: it could sweep over the bullet */
+		motion_shorten(cni_motions(world) + c.blocking_body, c.fraction);
+	if (cni_motion_keep_finite(m)) /* sliding along may overflow where the path is near the limits of float */
+		(void)cni_atomic_add(&world->bodies_stopped, 1u);
+}
+
+/* ---- which bodies ---- */
 
 static cni_aabb box_at_end(const cni_body *b, const cni_motion *m, const cni_geometry *g)
 {
-	cni_path path = body_path(b, cni_v(0.0f, 0.0f), m->dpx, m->dpy, m->theta);
+	cni_path path = path_of(b, cni_v(0.0f, 0.0f), m);
 	return cni_geometry_aabb(g, 0, cni_path_at(&path, 1.0f));
 }
 
@@ -484,7 +433,7 @@ static int32_t path_is_inside_boxes(const cn_world *world, const cni_body *b, co
 			continue;
 		fat = &cni_proxy_at(world, proxy)->fat;
 		cni_geometry_box(g, 0, &start, &from);
-		to = box_moved(from, m);
+		to = cni_box_moved(from, cni_v(m->dpx, m->dpy));
 		box = cni_box_fatten(cni_aabb_union(&from, &to), turn_bound);
 		if (cni_aabb_contains(fat, &box))
 			continue;
@@ -515,9 +464,9 @@ static void body_check(check_loop *loop, int32_t body, const cni_motion *m, int3
 	if (world->movable_count == world->body_handles.count)
 		return; /* the world has no static body */
 	if (loop->without_boxes || (world->pairs_may_repeat & ~CNI_PAIRS_CROWDED) || !path_is_inside_boxes(world, b, m))
-		clamp_body(world, body, CLAMP_STATIC);
+		clamp_body(world, body, CLAMP_STATIC, 0);
 	else if (b->flags & CNI_BODY_AT_STATIC)
-		clamp_against_contacts(world, body);
+		clamp_body(world, body, CLAMP_STATIC, 1);
 }
 
 CNI_INLINE void record_prefetch(const cn_world *world, int32_t body)
@@ -559,7 +508,7 @@ static void bullets_check(cn_world *world)
 			continue;
 		externals[k].flags &= ~(uint32_t)CNI_EXTERNAL_DEFERRED;
 		if (body_is_fast(cni_body_at(world, body), cni_motions(world) + k)) /* another bullet may have shortened its path */
-			clamp_body(world, body, CLAMP_ALL);
+			clamp_body(world, body, CLAMP_ALL, 0);
 	}
 }
 

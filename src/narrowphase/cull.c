@@ -41,14 +41,8 @@
 /* The high part of a centre is within half a unit of its last place. */
 static cni_cull_body cull_body_make(const cni_body *b, float dt)
 {
-	cni_cull_body s;
-	s.x = b->cx;
-	s.y = b->cy;
-	s.ahead_x = dt * b->vx;
-	s.ahead_y = dt * b->vy;
-	s.radius = CNI_CIRCLES_APART * b->extent + FLT_EPSILON * (cni_abs(b->cx) + cni_abs(b->cy));
-	if (b->awake == 0)
-		s.radius = -s.radius;
+	float radius = CNI_CIRCLES_APART * b->extent + FLT_EPSILON * (cni_abs(b->cx) + cni_abs(b->cy));
+	cni_cull_body s = { b->cx, b->cy, dt * b->vx, dt * b->vy, b->awake == 0 ? -radius : radius };
 	return s;
 }
 
@@ -79,15 +73,6 @@ static void four_make(const cni_body *b, float dt, cni_cull_body *out)
 /* Layout of the record that four_make reads; four bodies from a multiple of four lie in one page. */
 typedef char cni_four_bodies_are_read[offsetof(cni_body, w) == offsetof(cni_body, vx) + 8 && CNI_PAGE_BODIES >= 2 ? 1 : -1];
 
-#else
-
-static void four_make(const cni_body *b, float dt, cni_cull_body *out)
-{
-	int32_t l;
-	for (l = 0; l < 4; ++l)
-		out[l] = cull_body_make(&b[l], dt);
-}
-
 #endif
 
 static void bodies_range(void *context, int32_t begin, int32_t end, int32_t worker)
@@ -100,12 +85,14 @@ static void bodies_range(void *context, int32_t begin, int32_t end, int32_t work
 	(void)worker;
 	while (k < end) {
 		const cni_body *b = cni_body_at(world, k);
+#if CNI_HAS_WIDE_4
 		if (k % 4 == 0 && k + 4 <= end) {
 			four_make(b, dt, &bodies[k]);
 			k += 4;
-		} else {
-			bodies[k++] = cull_body_make(b, dt);
+			continue;
 		}
+#endif
+		bodies[k++] = cull_body_make(b, dt);
 	}
 }
 
@@ -204,12 +191,6 @@ CNI_INLINE void prefetch_ahead(cni_cull *s, int32_t at, int32_t count)
 
 /* ---- one contact ---- */
 
-/* Without branches. */
-static int32_t boxes_overlap(const cni_aabb *a, const cni_aabb *b)
-{
-	return (a->x0 <= b->x1) & (b->x0 <= a->x1) & (a->y0 <= b->y1) & (b->y0 <= a->y1);
-}
-
 /*
  * Do the circles stay out of each other's margin while one moves past the other? A body that turns stays in the circle around its centre
  * of mass. The least distance is that of the nearest point of a segment (Ericson, "Real-Time Collision Detection", 2005, 5.1.2).
@@ -253,7 +234,7 @@ static uint32_t one_cull(const cni_cull *s, int32_t k)
 	if (a->radius <= 0.0f || b->radius <= 0.0f)
 		contact_mark_static(s->of.world, c);
 	contact_enters_no_more(c);
-	return (uint32_t)(circles_apart(a, b, s->of.margin) & ((c->flags & LOOKED_AT) == 0) & boxes_overlap(&proxy[0]->fat, &proxy[1]->fat));
+	return (uint32_t)(circles_apart(a, b, s->of.margin) & ((c->flags & LOOKED_AT) == 0) & cni_aabb_overlap_branchless(&proxy[0]->fat, &proxy[1]->fat));
 }
 
 /* ---- four side by side ---- */
@@ -263,7 +244,7 @@ static uint32_t one_cull(const cni_cull *s, int32_t k)
 /* Input of four pairs, one row a pair. */
 typedef struct cull_rows {
 	cni_wide between[4];     /* difference of positions and of their changes in the step */
-	cni_mask over[4];        /* the four comparisons of boxes_overlap */
+	cni_mask over[4];        /* the four comparisons of cni_aabb_overlap_branchless */
 	uint32_t flags;          /* of all pairs, or-ed */
 } cull_rows;
 
@@ -326,15 +307,6 @@ static uint32_t four_cull(const cni_cull *s, cni_contact *const *c, const cni_pr
 	return r.flags & (LOOKED_AT | ENTERED) ? four_by_flags(c, apart) : apart;
 }
 
-#else
-
-static uint32_t four_cull(const cni_cull *s, cni_contact *const *c, const cni_proxy *const (*proxy)[2])
-{
-	(void)proxy;
-	int32_t k = (int32_t)(c - s->batch_record);
-	return one_cull(s, k) | one_cull(s, k + 1) << 1 | one_cull(s, k + 2) << 2 | one_cull(s, k + 3) << 3;
-}
-
 #endif
 
 /* ---- batches ---- */
@@ -359,14 +331,17 @@ CNI_INLINE void batch_find(cni_cull *s, int32_t at, int32_t k)
 static uint32_t apart_of_batch(cni_cull *s, int32_t from, int32_t size)
 {
 	uint32_t apart = 0;
-	int32_t k = 0, l;
+	int32_t k = 0;
+#if CNI_HAS_WIDE_4
 	for (; cni_cull_bodies(&s->of) != NULL && k + 4 <= size; k += 4) {
+		int32_t l;
 		if (cni_cull_prefetches(&s->of))
 			prefetch_ahead(s, from + k, 4);
 		for (l = k; l < k + 4; ++l)
 			batch_find(s, from + l, l);
 		apart |= four_cull(s, &s->batch_record[k], (const cni_proxy *const (*)[2])&s->batch_proxy[k]) << k;
 	}
+#endif
 	for (; k < size; ++k) {
 		if (cni_cull_prefetches(&s->of))
 			prefetch_ahead(s, from + k, 1);

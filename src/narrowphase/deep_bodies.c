@@ -7,7 +7,7 @@
  *
  * Reads lanes, bodies; writes CNI_EXTERNAL_DEFERRED.
  */
-#include "narrowphase/deep_bodies.h"
+#include "narrowphase/touch.h"
 #include "model/tuning.h"
 
 /* Overlap at the beginning of the step. Rows of missing points are 0. */

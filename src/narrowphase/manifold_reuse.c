@@ -187,14 +187,13 @@ static uint32_t block_reuse(const reuse_loop *loop, int32_t block)
 	const cn_world *world = loop->world;
 	const cni_block_info *info = cni_block_info_at(world, block);
 	uint32_t anchored = loop->pass.dt > 0.0f && CNI_ON(MANIFOLD_REUSE) ? info->anchored : 0;
+	int32_t by_poses = loop->pass.poses != NULL && info->color < CNI_COLOR_STATIC;
+	cni_block_anchor *anchor = cni_block_anchor_at(world, block);
+	cni_contact_block *rows = cni_block_at(world, block);
 	cni_reuse_bodies bodies;
-	if (anchored != 0 && loop->pass.poses != NULL && info->color < CNI_COLOR_STATIC)
-		return loop->kernel->reuse(&loop->pass, cni_block_at(world, block), info, cni_block_anchor_at(world, block), NULL, anchored);
-	if (anchored != 0)
-		anchored = bodies_gather(world, cni_block_at(world, block), cni_block_anchor_at(world, block), anchored, &bodies);
-	if (anchored == 0)
-		return 0;
-	return loop->kernel->reuse(&loop->pass, cni_block_at(world, block), info, cni_block_anchor_at(world, block), &bodies, anchored);
+	if (anchored != 0 && !by_poses)
+		anchored = bodies_gather(world, rows, anchor, anchored, &bodies);
+	return anchored == 0 ? 0 : loop->kernel->reuse(&loop->pass, rows, info, anchor, by_poses ? NULL : &bodies, anchored);
 }
 
 /* Blocks share bodies; of those only the flag CNI_BODY_AT_STATIC is written. */

@@ -5,8 +5,8 @@
  * Reads proxies, shapes, bodies, the broadphase; writes the seams in geometry records.
  */
 #include "narrowphase/narrowphase.h"
+#include "narrowphase/touch.h"
 #include "collision/seam.h"
-#include "model/solve.h"
 
 typedef struct seam_search {
 	cn_world *world;
@@ -29,7 +29,6 @@ static float neighbour_add_seams(void *context, int32_t proxy, float limit)
 	const cni_shape *shape, *own_shape;
 	const cni_body *a, *b;
 	const cni_geometry *g;
-	cni_transform x;
 	float slop = world->settings.slop;
 	if (proxy == s->proxy || !(p->flags & CNI_PROXY_STATIC))
 		return limit;
@@ -40,9 +39,7 @@ static float neighbour_add_seams(void *context, int32_t proxy, float limit)
 		return limit;
 	a = cni_body_at(world, own_shape->body);
 	b = cni_body_at(world, shape->body);
-	x.q = cni_rot_between(a->q, b->q);
-	x.t = cni_add(cni_unrotate(a->q, cni_sub(cni_body_a_to_b(a, b), cni_rotate(b->q, b->local_center))), a->local_center);
-	s->geometry->seams |= cni_seams_between(s->geometry, g, x, slop);
+	s->geometry->seams |= cni_seams_between(s->geometry, g, cni_body_b_in_a(a, b, cni_body_a_to_b(a, b)), slop);
 	return limit;
 }
 
@@ -50,10 +47,7 @@ static float changed_find_seams(void *context, int32_t proxy, float limit)
 {
 	cn_world *world = (cn_world *)context;
 	const cni_proxy *p = cni_proxy_at(world, proxy);
-	seam_search s;
-	s.world = world;
-	s.proxy = proxy;
-	s.geometry = (cni_geometry *)cni_blocks_at(&world->blocks, p->geometry);
+	seam_search s = { world, proxy, (cni_geometry *)cni_blocks_at(&world->blocks, p->geometry) };
 	if (cni_is_chain(s.geometry->type))
 		return limit;
 	s.geometry->seams = 0;

@@ -7,7 +7,6 @@
  */
 #include "narrowphase/touch.h"
 #include "collision/seam.h"
-#include "collision/toi.h"
 #include "model/tuning.h"
 
 #if defined(CNI_DEBUG)
@@ -116,15 +115,9 @@ static int32_t shadows_graze(const cni_manifold_input *in, const cni_pair_motion
 	return cni_min(box_a.y1, box_b.y1) - cni_max(box_a.y0, box_b.y0) + turn <= most;
 }
 
-static cni_path path_make(const cni_body *b, cni_vec2 from, const cni_motion *m, float dt)
+static cni_path path_ahead(const cni_body *b, cni_vec2 from, const cni_motion *m, float dt)
 {
-	cni_path p;
-	p.start = cni_v((b->cx - from.x) + b->cx_low, (b->cy - from.y) + b->cy_low);
-	p.end = cni_v(p.start.x + dt * m->vx, p.start.y + dt * m->vy);
-	p.q = b->q;
-	p.turn = dt * m->w;
-	p.local_center = b->local_center;
-	return p;
+	return cni_body_path(b, from, cni_mul(dt, cni_v(m->vx, m->vy)), dt * m->w);
 }
 
 /* Hidden corners, or a loop: most have none. */
@@ -151,24 +144,18 @@ static void meet(const cn_world *world, const cni_body *a, const cni_body *b, co
 	cni_manifold_cache cache = { 0, 0, { 0, 0 } };
 	cni_vec2 from = cni_v(a->cx, a->cy);
 	cni_transform xa, xb, a_now, b_now;
-	cni_toi_input toi;
-	cni_toi_result hit;
+	const cni_motion *motions = cni_motions(world);
+	cni_path path_a = path_ahead(a, from, &motions[a->awake], dt), path_b = path_ahead(b, from, &motions[b->awake], dt);
+	float slop = world->settings.slop;
+	cni_toi_input toi = { in.a, in.b, in.child_a, in.child_b, path_a, path_b, 0.5f * slop, 0.25f * slop };
+	cni_toi_result hit = cni_toi(&toi);
 	int32_t k;
-	toi.a = in.a;
-	toi.b = in.b;
-	toi.child_a = in.child_a;
-	toi.child_b = in.child_b;
-	toi.path_a = path_make(a, from, cni_motions(world) + a->awake, dt);
-	toi.path_b = path_make(b, from, cni_motions(world) + b->awake, dt);
-	toi.target = 0.5f * world->settings.slop;
-	toi.tolerance = 0.25f * world->settings.slop;
-	hit = cni_toi(&toi);
 	if (hit.state == CNI_TOI_SEPARATED)
 		out->manifold.count = 0;
 	if (hit.state != CNI_TOI_HIT)
 		return;
-	xa = cni_path_at(&toi.path_a, hit.fraction);
-	xb = cni_path_at(&toi.path_b, hit.fraction);
+	xa = cni_path_at(&path_a, hit.fraction);
+	xb = cni_path_at(&path_b, hit.fraction);
 	in.b_in_a.q = cni_rot_between(xa.q, xb.q);
 	in.b_in_a.t = cni_untransform_point(xa, xb.t);
 	in.margin = world->settings.contact_margin;
@@ -176,8 +163,8 @@ static void meet(const cn_world *world, const cni_body *a, const cni_body *b, co
 	mend_seams(world, &in, cni_mul((1.0f - hit.fraction) * dt, out->motion.v), &out->manifold);
 	if (out->manifold.count == 0)
 		return;
-	a_now = cni_path_at(&toi.path_a, 0.0f);
-	b_now = cni_path_at(&toi.path_b, 0.0f);
+	a_now = cni_path_at(&path_a, 0.0f);
+	b_now = cni_path_at(&path_b, 0.0f);
 	out->manifold.normal = cni_unrotate(a_now.q, cni_rotate(xa.q, out->manifold.normal));
 	for (k = out->manifold.count - 1; k >= 0; --k) { /* the gap of the first point stays */
 		cni_manifold_point *p = &out->manifold.points[k];
@@ -186,15 +173,6 @@ static void meet(const cn_world *world, const cni_body *a, const cni_body *b, co
 		out->gap = cni_unrotate(a_now.q, apart);
 		p->separation += cni_dot(out->manifold.normal, out->gap);
 	}
-}
-
-/* Maps frame b into frame a from the difference of the two centres, which loses no digits far from the origin. */
-static cni_transform b_in_a(const cni_body *a, const cni_body *b, cni_vec2 centers)
-{
-	cni_transform x;
-	x.q = cni_rot_between(a->q, b->q);
-	x.t = cni_add(cni_unrotate(a->q, cni_sub(centers, cni_rotate(b->q, b->local_center))), a->local_center);
-	return x;
 }
 
 /* A place in the square of side 2 around the origin; places of n successive bodies fill it evenly (Roberts, "The unreasonable
@@ -238,7 +216,7 @@ int32_t cni_touch_begin(const cn_world *world, const cni_touch_pair *p, float dt
 	out->radius[1] = out->in.b->radius;
 	out->in.child_a = cni_proxy_child(p->proxy[0]);
 	out->in.child_b = cni_proxy_child(p->proxy[1]);
-	out->in.b_in_a = b_in_a(a, b, centers);
+	out->in.b_in_a = cni_body_b_in_a(a, b, centers);
 	out->in.slop = world->settings.slop;
 	out->motion.margin = pair_margin(world, a, b, &out->in, dt);
 	out->in.margin = cni_max(out->motion.margin, out->motion.reach);

@@ -11,6 +11,7 @@
 #ifndef CNI_NARROWPHASE_TOUCH_H
 #define CNI_NARROWPHASE_TOUCH_H
 
+#include "collision/toi.h"
 #include "model/solve.h"
 
 typedef struct cni_pair_motion {
@@ -53,6 +54,23 @@ static inline cni_touch_pair cni_touch_pair_of(const cn_world *world, cni_contac
 	return p;
 }
 
+/* Maps frame b into frame a from the difference of the two centres, which loses no digits far from the origin. */
+static inline cni_transform cni_body_b_in_a(const cni_body *a, const cni_body *b, cni_vec2 centers)
+{
+	cni_transform x;
+	x.q = cni_rot_between(a->q, b->q);
+	x.t = cni_add(cni_unrotate(a->q, cni_sub(centers, cni_rotate(b->q, b->local_center))), a->local_center);
+	return x;
+}
+
+/* The path of a body that moves by `way` and turns; relative to a point near it. */
+static inline cni_path cni_body_path(const cni_body *b, cni_vec2 from, cni_vec2 way, float turn)
+{
+	cni_vec2 start = cni_v((b->cx - from.x) + b->cx_low, (b->cy - from.y) + b->cy_low);
+	cni_path p = { start, cni_add(start, way), b->q, turn, b->local_center };
+	return p;
+}
+
 /* 1: the boxes overlap, and a direction separates the shapes throughout the step: apart.c. */
 int32_t cni_pair_stays_apart(const cn_world *world, const cni_touch_pair *p, float dt);
 /* Returns 0 where the manifold is empty: the fat boxes are apart. A pair whose boxes are apart ends even if it moves
@@ -62,6 +80,9 @@ void cni_touch_collide(cni_touch *out);
 void cni_touch_finish(const cn_world *world, float dt, cni_touch *out);
 /* One-way platforms: a shape that first touches from below or from the side passes through until it no longer touches. */
 void cni_touch_filter_one_way(const cn_world *world, cni_contact *c, cni_manifold *m);
+
+/* Marks bodies whose core may reach what they touch in one slow step: sets CNI_EXTERNAL_DEFERRED (deep_bodies.c). */
+void cni_deep_bodies_mark(cn_world *world);
 
 /* Manifold reuse, the first part of stage 3: updates lanes whose bodies have moved little against each other. Writes the contacts of all
    other lanes to remaining, which has room for every lane, and returns their number. dt 0: updates none. */

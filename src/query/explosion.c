@@ -70,13 +70,7 @@ static float width_across(const cni_geometry *g, int32_t child, cni_vec2 directi
 {
 	cni_vec2 storage[2], side = cni_left_perp(direction);
 	cni_proxy_points set = cni_geometry_proxy(g, child, storage);
-	float least = cni_dot(side, set.points[0]), most = least;
-	int32_t i;
-	for (i = 1; i < set.count; ++i) {
-		float at = cni_dot(side, set.points[i]);
-		least = cni_min(at, least);
-		most = cni_max(at, most);
-	}
+	float least = cni_points_lowest(set.points, set.count, side), most = -cni_points_lowest(set.points, set.count, cni_neg(side));
 	return most - least + 2.0f * set.radius;
 }
 
@@ -157,16 +151,12 @@ cn_result cn_world_explode(cn_world *world, const cn_explosion_def *def)
 {
 	cni_call call = cni_enter(world, __func__);
 	cni_sight sight;
-	explosion e;
+	explosion e = { world, def, &sight, NULL, 0, 0 };
 	uint64_t *keys;
 	check_def(&call, def);
 	sight = cni_check_filter(&call, call.result == CN_OK ? &def->filter : NULL);
 	if (call.result != CN_OK)
 		return call.result;
-	e.world = world;
-	e.def = def;
-	e.sight = &sight;
-	e.count = 0;
 	find_pieces(&e, NULL);
 	if (e.count == 0)
 		return CN_OK;

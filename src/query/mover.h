@@ -13,7 +13,6 @@
 typedef struct cni_planes {
 	cn_plane at[CNI_MOVER_PLANES_MAX];
 	int32_t count;
-	int32_t reserved;
 } cni_planes;
 
 /* Finds the planes of a shape: region is its place, solid the same points relative to the region's origin. */

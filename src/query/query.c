@@ -184,12 +184,6 @@ cni_aabb cni_region_box(const cni_region *region, cni_vec2 offset)
 	return cni_box_fatten(box, region->radius);
 }
 
-cni_proxy_points cni_region_points(const cni_region *region)
-{
-	cni_proxy_points set = { region->points, region->count, region->radius };
-	return set;
-}
-
 cni_transform cni_region_in(const cni_region *region, const cni_body *body)
 {
 	cni_transform x = cni_identity();

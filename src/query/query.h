@@ -85,8 +85,7 @@ cn_ray_hit cni_ray_cast(const cni_sight *sight, cni_vec2 origin, cni_vec2 transl
 cn_ray_hit cni_region_cast(const cni_sight *sight, const cni_region *region, cni_vec2 translation);
 /* AABB in the world after a move by offset. */
 cni_aabb cni_region_box(const cni_region *region, cni_vec2 offset);
-cni_proxy_points cni_region_points(const cni_region *region);
-/* ... as a polygon. */
+/* Its points as a polygon. */
 cn_polygon cni_region_polygon(const cni_region *region);
 /* What makes points no shape, NULL: nothing. One or two points are a circle and a capsule. */
 const char *cni_check_convex(const cn_polygon *p, float tolerance);

@@ -274,13 +274,14 @@ static float shape_visit(void *context, int32_t proxy, float limit)
 {
 	shape_query *q = (shape_query *)context;
 	cni_query_target t;
+	cni_proxy_points moving = { q->region->points, q->region->count, q->region->radius };
 	cni_cast_hit hit;
 	cni_vec2 translation;
 	cn_ray_hit made;
 	if (!sweep_may_meet(q, &cni_proxy_at(q->sight->world, proxy)->fat) || !cni_query_target_of(q->sight, proxy, &t))
 		return limit;
 	translation = cni_query_turn_to_local(t.body, q->translation);
-	if (!cni_cast_points(t.geometry, t.child, cni_region_points(q->region), q->region->center, cni_region_in(q->region, t.body), translation, &hit) ||
+	if (!cni_cast_points(t.geometry, t.child, moving, q->region->center, cni_region_in(q->region, t.body), translation, &hit) ||
 	    !is_met(q->sight, &t, &hit, translation))
 		return limit;
 	hit_make(q->sight->world, &t, &hit, &made);
@@ -299,14 +300,8 @@ static int32_t piece_count(const shape_query *q)
 cn_ray_hit cni_region_cast(const cni_sight *sight, const cni_region *region, cni_vec2 translation)
 {
 	const cn_world *world = sight->world;
-	shape_query q;
-	int32_t k, pieces;
-	q.sight = sight;
-	q.region = region;
-	q.translation = translation;
-	q.box = cni_region_box(region, cni_v(0.0f, 0.0f));
-	q.best = hit_none();
-	pieces = piece_count(&q);
+	shape_query q = { sight, region, translation, cni_region_box(region, cni_v(0.0f, 0.0f)), hit_none() };
+	int32_t k, pieces = piece_count(&q);
 	for (k = 0; k < pieces; ++k) {
 		float from = (float)k / (float)pieces, to = (float)(k + 1) / (float)pieces;
 		cni_aabb box = cni_region_box(region, cni_mul(from, translation)), end = cni_region_box(region, cni_mul(to, translation));

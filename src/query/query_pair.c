@@ -101,24 +101,19 @@ static void check_pair(cni_call *call, const cn_polygon *a, const cn_pose *pose_
 	out->b_in_a.t = cni_untransform_point(out->pose_a, out->pose_b.t);
 }
 
-static cni_proxy_points points_of(const cni_solid *s)
-{
-	cni_proxy_points set = { cni_geometry_points(&s->g), s->g.count, s->g.radius };
-	return set;
-}
-
 /* ------------------------------------------------------------------ distance, cast, manifold */
 
+/* translation: in the frame of a. */
 static int32_t pair_cast(const pair *p, cni_vec2 translation, cni_cast_hit *out)
 {
-	return cni_cast_points(&p->a.g, 0, points_of(&p->b), p->b.g.centroid, p->b_in_a, cni_unrotate(p->pose_a.q, translation), out);
+	return cni_cast_points(&p->a.g, 0, cni_geometry_proxy(&p->b.g, 0, NULL), p->b.g.centroid, p->b_in_a, translation, out);
 }
 
 /* Shortest way out of touching or overlapping surfaces. If rounding leaves b just outside, a cast from centre to centre finds it. */
 static int32_t inside_find(const pair *p, cni_cast_hit *hit)
 {
 	cni_vec2 way = cni_sub(p->a.g.centroid, cni_transform_point(p->b_in_a, p->b.g.centroid));
-	return pair_cast(p, cni_v(0.0f, 0.0f), hit) || cni_cast_points(&p->a.g, 0, points_of(&p->b), p->b.g.centroid, p->b_in_a, way, hit);
+	return pair_cast(p, cni_v(0.0f, 0.0f), hit) || pair_cast(p, way, hit);
 }
 
 static void distance_inside(const pair *p, const cni_cast_hit *hit, cn_distance *out)
@@ -132,7 +127,7 @@ static void distance_inside(const pair *p, const cni_cast_hit *hit, cn_distance 
 cn_result cn_polygon_distance(const cn_polygon *a, const cn_pose *pose_a, const cn_polygon *b, const cn_pose *pose_b, cn_distance *out)
 {
 	cni_call call = cni_enter_free();
-	cni_distance_result d;
+	cni_closest d;
 	cni_cast_hit hit;
 	pair p;
 	check_pair(&call, a, pose_a, b, pose_b, &p);
@@ -140,7 +135,7 @@ cn_result cn_polygon_distance(const cn_polygon *a, const cn_pose *pose_a, const 
 	if (call.result != CN_OK)
 		return call.result;
 	memset(out, 0, sizeof *out);
-	d = cni_distance(points_of(&p.a), points_of(&p.b), p.b_in_a);
+	d = cni_distance(cni_geometry_proxy(&p.a.g, 0, NULL), cni_geometry_proxy(&p.b.g, 0, NULL), p.b_in_a);
 	if (!(d.distance > 0.0f) && inside_find(&p, &hit)) {
 		distance_inside(&p, &hit, out);
 		return CN_OK;
@@ -167,7 +162,8 @@ cn_result cn_polygon_cast(const cn_polygon *a, const cn_pose *pose_a, const cn_p
 		return call.result;
 	memset(out, 0, sizeof *out);
 	out->fraction = 1.0f;
-	*out_hit = pair_cast(&p, translation, &hit) && !cni_cast_leads_out(&hit, SLOP_M, cni_unrotate(p.pose_a.q, translation));
+	translation = cni_unrotate(p.pose_a.q, translation);
+	*out_hit = pair_cast(&p, translation, &hit) && !cni_cast_leads_out(&hit, SLOP_M, translation);
 	if (!*out_hit)
 		return CN_OK;
 	out->fraction = hit.fraction;
@@ -177,8 +173,8 @@ cn_result cn_polygon_cast(const cn_polygon *a, const cn_pose *pose_a, const cn_p
 	return CN_OK;
 }
 
-/* Manifold of the pair; the pair functions take the smaller type first. */
-static void pair_manifold(const pair *p, float margin, cni_manifold *out)
+/* Manifold of the pair. The pair functions take the smaller type first: returns 1 if that is b. */
+static int32_t pair_manifold(const pair *p, float margin, cni_manifold *out)
 {
 	int32_t swapped = p->b.g.type < p->a.g.type;
 	cni_manifold_cache cache = { 0, 0, { 0, 0 } };
@@ -191,6 +187,7 @@ static void pair_manifold(const pair *p, float margin, cni_manifold *out)
 	}
 	memset(out, 0, sizeof *out);
 	cni_manifold_function(in.a->type, in.b->type)(&in, &cache, out);
+	return swapped;
 }
 
 cn_result cn_polygon_collide(const cn_polygon *a, const cn_pose *pose_a, const cn_polygon *b, const cn_pose *pose_b,
@@ -207,8 +204,7 @@ cn_result cn_polygon_collide(const cn_polygon *a, const cn_pose *pose_a, const c
 		cni_refuse(&call, CN_ERROR_ARGUMENT, "a single point must have a radius > 0");
 	if (call.result != CN_OK)
 		return call.result;
-	pair_manifold(&p, margin_m, &m);
-	swapped = p.b.g.type < p.a.g.type;
+	swapped = pair_manifold(&p, margin_m, &m);
 	memset(out, 0, sizeof *out);
 	out->point_count = m.count;
 	if (m.count > 0)

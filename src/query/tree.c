@@ -18,7 +18,6 @@ struct cn_tree {
 	cni_handles items;
 	cni_array user_data; /* uint64_t by item */
 	float margin;
-	int32_t reserved;
 };
 
 static uint64_t *user_data_of(const cn_tree *tree) { return (uint64_t *)tree->user_data.data; }

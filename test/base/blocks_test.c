@@ -89,8 +89,8 @@ static void t_first_chunk_is_small(void)
 		if (blocks.bytes_in_use > 65536 && spare * 1000 / blocks.bytes_in_chunks > unused)
 			unused = spare * 1000 / blocks.bytes_in_chunks;
 	}
-	for (i = 1; i < blocks.chunk_count; ++i)
-		largest = largest > blocks.chunk_bytes[i] ? largest : blocks.chunk_bytes[i];
+	for (i = 1; i < blocks.chunks.count; ++i)
+		largest = largest > blocks.chunks.bytes[i] ? largest : blocks.chunks.bytes[i];
 	CHECK_LE("largest class chunk", largest, 65536, "bytes");
 	CHECK_GE("largest class chunk", largest, 65536 - 128, "bytes");
 	CHECK_LE("room unused while growing", (double)unused / 10, 7, "%");
@@ -114,7 +114,7 @@ static void t_large_pieces(void)
 	CHECK(blocks.bytes_large == 4160 + 300032 && blocks.bytes_in_use == 0 && blocks.bytes_in_chunks == 0);
 	memset(cni_blocks_at(&blocks, b), 7, 300000);
 	cni_blocks_free(&blocks, a, 4097);
-	CHECK(blocks.chunks[a >> 12] == NULL);
+	CHECK(blocks.chunks.at[a >> 12] == NULL);
 	CHECK(h.bytes == cni_memory_rounded(300000) + 8u * (sizeof(uint64_t) + sizeof(void *)));
 	c = cni_blocks_alloc(&blocks, 16);
 	CHECK(c >> 12 == a >> 12);

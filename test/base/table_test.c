@@ -79,7 +79,7 @@ static void t_table_out_of_memory_at_every_call(void)
 {
 	int32_t n, i, broken = 0;
 
-	for (n = 1; n < 40; ++n) {
+	for (n = 2; n < 40; ++n) { /* from the first new page on: the array of pages tries again without spare room */
 		cni_memory memory;
 		cni_table table;
 		hooks h;

@@ -41,7 +41,7 @@ static void t_shapes_apart_and_overlapping(void)
 		record_random(&a, random_below(4), size);
 		record_random(&b, random_below(4), size);
 		cni_transform x = transform_make(random_in(-3, 3) * size, random_in(-3, 3) * size, random_below(3) ? random_in(-3, 3) : 1.5707963f);
-		cni_distance_result d = cni_distance(set_of(&a, storage), set_of(&b, storage), x);
+		cni_closest d = cni_distance(set_of(&a, storage), set_of(&b, storage), x);
 		iterations = cni_max_i(iterations, d.iterations);
 		double radii = (double)a.g.radius + (double)b.g.radius;
 		double reference = reference_separation(&a.g, &b.g, x);
@@ -71,7 +71,7 @@ static void t_radius_and_coincidence(void)
 	cni_vec2 storage[2];
 	record_circle(&a, 1.0f);
 	record_circle(&b, 0.5f);
-	cni_distance_result d = cni_distance(set_of(&a, storage), set_of(&b, storage), transform_make(1.2f, 0, 0));
+	cni_closest d = cni_distance(set_of(&a, storage), set_of(&b, storage), transform_make(1.2f, 0, 0));
 	CHECK_LE("negative when radii overlap", fabs((double)d.distance + 0.3), 1e-6, "m");
 	CHECK(d.normal.x == 1.0f && d.normal.y == 0.0f);
 	d = cni_distance(set_of(&a, storage), set_of(&b, storage), transform_none());

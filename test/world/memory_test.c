@@ -191,7 +191,7 @@ static uint64_t array_row(const char *owner, const cni_array *array)
 
 static uint64_t blocks_row(const char *owner, const cni_blocks *blocks)
 {
-	return print_row(owner, blocks->bytes_in_chunks + blocks->bytes_large + (uint64_t)blocks->chunk_capacity * 16, blocks->bytes_in_use + blocks->bytes_large);
+	return print_row(owner, blocks->bytes_in_chunks + blocks->bytes_large + (uint64_t)blocks->chunks.capacity * 16, blocks->bytes_in_use + blocks->bytes_large);
 }
 
 static uint64_t events_rows(const cni_events *events)
