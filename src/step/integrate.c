@@ -15,10 +15,6 @@
 #include "step/stages.h"
 #include "base/cpu.h"
 #include "step/integrate_pass.h"
-#if CNI_HAS_WIDE_4
-#define CNI_WIDTH 4
-#include "base/wide.h"
-#endif
 
 #define BODIES_A_RANGE 256 /* about a microsecond */
 #define DRIVES_A_RANGE 512 /* about ten: their records are read */
@@ -77,23 +73,16 @@ CNI_INLINE void external_make(const cn_world *world, const cni_body *b, const cn
 		d->ay = 0.0f;
 }
 
-/* Exact flight over time h. With vectors it works on rows, as in integrate_kernel.h. */
+/* Exact flight over time h. */
 CNI_INLINE void fly(cni_motion *m, const cni_external *d, float h)
 {
 	float half = 0.5f * h * h;
-#if CNI_HAS_WIDE_4
-	const cni_mask three = { -1, -1, -1, 0 };
-	cni_wide v = cni_wide_load(&m->vx), a = { d->ax, d->ay, d->alpha, 0.0f }, way = cni_wide_of(h) * v + cni_wide_of(half) * a;
-	cni_wide_store(&m->dpx, cni_wide_load(&m->dpx) + (cni_wide)((cni_mask)way & three));
-	cni_wide_store(&m->vx, v + cni_wide_of(h) * a);
-#else
 	m->dpx += h * m->vx + half * d->ax;
 	m->dpy += h * m->vy + half * d->ay;
 	m->theta += h * m->w + half * d->alpha;
 	m->vx += h * d->ax;
 	m->vy += h * d->ay;
 	m->w += h * d->alpha;
-#endif
 }
 
 static void fly_damped(cni_motion *m, const cni_external *d, const cni_body *b, const cni_solve *s)
