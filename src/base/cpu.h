@@ -24,4 +24,13 @@
 /* 1 when this processor and operating system run AVX2. */
 int32_t cni_cpu_has_avx2(void);
 
+/* The widest of the kernels name_plain, name_4 and name_8 that this build and this processor have. */
+#if CNI_HAS_WIDE_8
+#define CNI_WIDEST(name) (cni_cpu_has_avx2() ? &name##_8 : &name##_4)
+#elif CNI_HAS_WIDE_4
+#define CNI_WIDEST(name) (&name##_4)
+#else
+#define CNI_WIDEST(name) (&name##_plain)
+#endif
+
 #endif

@@ -27,15 +27,7 @@
 
 const cni_joint_kernel *cni_joint_kernel_choose(void)
 {
-#if CNI_HAS_WIDE_8
-	if (cni_cpu_has_avx2())
-		return &cni_joint_kernel_8;
-#endif
-#if CNI_HAS_WIDE_4
-	return &cni_joint_kernel_4;
-#else
-	return &cni_joint_kernel_plain;
-#endif
+	return CNI_WIDEST(cni_joint_kernel);
 }
 
 /* ---- forms ---- */

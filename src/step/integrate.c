@@ -293,14 +293,8 @@ static void position_finish(const cn_world *world, int32_t k, float h)
 
 const cni_body_kernel *cni_body_kernel_choose(void)
 {
-	if (!CNI_ON(BODY_KERNELS))
-		return NULL;
-#if CNI_HAS_WIDE_8
-	if (cni_cpu_has_avx2())
-		return &cni_body_kernel_8;
-#endif
 #if CNI_HAS_WIDE_4
-	return &cni_body_kernel_4;
+	return CNI_ON(BODY_KERNELS) ? CNI_WIDEST(cni_body_kernel) : NULL;
 #else
 	return NULL;
 #endif
