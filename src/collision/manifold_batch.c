@@ -11,12 +11,8 @@
 
 cni_batch_kernel_fn *cni_batch_kernel_choose(void)
 {
-#if CNI_HAS_WIDE_8
-	if (cni_cpu_has_avx2())
-		return cni_batch_kernel_8;
-#endif
 #if CNI_HAS_WIDE_4
-	return cni_batch_kernel_4;
+	return CNI_WIDEST(cni_batch_kernel);
 #else
 	return NULL;
 #endif

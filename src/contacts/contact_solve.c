@@ -16,15 +16,7 @@
 
 const cni_contact_kernel *cni_contact_kernel_choose(void)
 {
-#if CNI_HAS_WIDE_8
-	if (cni_cpu_has_avx2())
-		return &cni_contact_kernel_8;
-#endif
-#if CNI_HAS_WIDE_4
-	return &cni_contact_kernel_4;
-#else
-	return &cni_contact_kernel_plain;
-#endif
+	return CNI_WIDEST(cni_contact_kernel);
 }
 
 static cni_color_pass color_pass_make(cn_world *world, const cni_solve *s, const cni_listed_block *blocks)
