@@ -91,8 +91,9 @@ static const cni_field proxy_fields[] = { X(fat, WORD), X(old, WORD), X(shape, S
 
 #define R(member, kind) FIELD(cni_area, member, kind)
 static const cni_field area_fields[] = {
-	R(shape, SHAPE), R(priority, WORD), R(flags, WORD), R(gravity, FLOAT), R(center, FLOAT), R(pull, FLOAT), R(pull_distance, FLOAT), R(linear_damping, FLOAT),
-	R(angular_damping, FLOAT), R(density, FLOAT), R(drag, FLOAT), R(lift, FLOAT), R(flow, FLOAT)
+	R(shape, SHAPE), R(def.struct_size, DERIVED), R(def.priority, WORD), R(def.flags, WORD), R(def.gravity_mps2, FLOAT), R(def.center_m, FLOAT),
+	R(def.pull_mps2, FLOAT), R(def.pull_distance_m, FLOAT), R(def.linear_damping_per_s, FLOAT), R(def.angular_damping_per_s, FLOAT),
+	R(def.density_kgpm2, FLOAT), R(def.drag_kgpm2, FLOAT), R(def.lift_kgpm2, FLOAT), R(def.flow_mps, FLOAT)
 };
 
 /* ---- contacts */
