@@ -432,7 +432,7 @@ static void lanes_pass(cn_world *world, cni_file *f, const char *tag, int32_t re
 	}
 }
 
-static int32_t extra_count(const cn_world *world)
+int32_t cni_file_extra_count(const cn_world *world)
 {
 	int32_t k;
 	for (k = 0; k < world->block_used && cni_table_capacity(&world->blocks_extra) > 0; ++k)
@@ -443,7 +443,7 @@ static int32_t extra_count(const cn_world *world)
 
 static void extra_pass(cn_world *world, cni_file *f)
 {
-	int32_t count = f->mode == CNI_FILE_READ ? cni_file_count(f, "EXTR") : extra_count(world);
+	int32_t count = f->mode == CNI_FILE_READ ? cni_file_count(f, "EXTR") : cni_file_extra_count(world);
 	if (f->mode == CNI_FILE_READ && count != 0 && count != world->block_used)
 		cni_file_fail(f, CN_ERROR_FORMAT);
 	else if (f->mode == CNI_FILE_READ && count > 0 && !cni_lane_reserve_extra(world))

@@ -29,21 +29,10 @@ static void rooms_pass(cn_world *world, cni_snapshot *s)
 	                             cni_joint_reserve(world, joints - world->joint_handles.count) == CN_OK);
 }
 
-/* Few worlds have contacts that need extra rows; where none does now, they are all zero. */
-static int32_t extra_used(const cn_world *world)
-{
-	int32_t k;
-	if (cni_table_capacity(&world->blocks_extra) == 0)
-		return 0;
-	for (k = 0; k < world->block_used; ++k)
-		if (cni_block_info_at(world, k)->flags & CNI_BLOCK_EXTRA)
-			return world->block_used;
-	return 0;
-}
-
+/* Where no contact needs extra rows, they are all zero. */
 static void extra_pass(cn_world *world, cni_snapshot *s)
 {
-	int32_t used = extra_used(world), k;
+	int32_t used = cni_file_extra_count(world), k;
 	uint64_t bytes = s->bytes + sizeof(int32_t);
 	if (s->mode == CNI_SNAPSHOT_LOAD && used == 0 && cni_table_capacity(&world->blocks_extra) > 0)
 		for (k = 0; k < world->block_used; ++k)
