@@ -65,6 +65,20 @@ static inline const cni_constraint *cni_live_constraint(const cn_world *world, c
 		return CN_OK; \
 	}
 
+/* The same for a body and a point: value is an expression of `point`. */
+#define CNI_DEFINE_GET_AT(what, value) \
+	cn_result cn_body_get_##what(const cn_world *world, cn_body body, float x_m, float y_m, cn_vec2 *out) \
+	{ \
+		cni_call call = cni_enter_const(world); \
+		const cni_body *record = cni_check_body(&call, "body", body); \
+		cn_vec2 point = { x_m, y_m }; \
+		cni_check_finite2(&call, "point", point); \
+		cni_check_pointer(&call, "out", out); \
+		if (call.result == CN_OK) \
+			*out = value; \
+		return call.result; \
+	}
+
 /* Defines cn_<noun>_set_user_data and cn_<noun>_get_user_data. */
 #define CNI_DEFINE_USER_DATA(noun) \
 	CNI_DEFINE_GET(noun, user_data, uint64_t, record->user_data) \
