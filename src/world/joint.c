@@ -17,14 +17,6 @@ void cni_joint_change_reserve(cni_call *call, cn_world *world, const cni_joint *
 		cni_refuse(call, CN_ERROR_MEMORY, "no memory for islands");
 }
 
-void cni_joint_wake_bodies(cn_world *world, const cni_joint *j)
-{
-	int32_t side;
-	for (side = 0; side < 2; ++side)
-		if (j->body[side] != CNI_NONE)
-			cni_body_wake(world, j->body[side]);
-}
-
 /* Clears the impulses of missing rows: a row that returns later starts from 0. */
 static void forget_missing_rows(const cn_world *world, cni_joint *j)
 {

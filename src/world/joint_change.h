@@ -44,7 +44,6 @@ int32_t cni_joint_take(cn_world *world, int32_t type, uint32_t flags, int32_t bo
 void cni_joint_change_reserve(cni_call *call, cn_world *world, const cni_joint *j);
 /* Replaces the flags, ends or permits contacts between the bodies, clears the impulses of missing rows, and wakes both bodies. */
 void cni_joint_change_flags(cn_world *world, int32_t joint, uint32_t flags);
-void cni_joint_wake_bodies(cn_world *world, const cni_joint *j);
 
 /* Joints (constraint 0) or constraints (1) of a body, and of the world. */
 cn_result cni_list_joints_of(const cn_world *world, cn_body body, int32_t constraint, uint32_t *out, int32_t capacity, int32_t *out_count);
