@@ -12,28 +12,6 @@
 /* Constraints are joint records. */
 typedef cni_joint cni_constraint;
 
-/* Record of a live handle, or NULL. */
-static inline const cni_body *cni_live_body(const cn_world *world, cn_body body)
-{
-	int32_t index = cni_handles_find(&world->body_handles, body);
-	return index != CNI_NONE ? cni_body_at(world, index) : NULL;
-}
-static inline const cni_shape *cni_live_shape(const cn_world *world, cn_shape shape)
-{
-	int32_t index = cni_handles_find(&world->shape_handles, shape);
-	return index != CNI_NONE ? cni_shape_at(world, index) : NULL;
-}
-static inline const cni_joint *cni_live_joint(const cn_world *world, cn_joint joint)
-{
-	int32_t index = cni_joint_find(world, joint, 0);
-	return index != CNI_NONE ? cni_joint_at(world, index) : NULL;
-}
-static inline const cni_constraint *cni_live_constraint(const cn_world *world, cn_constraint constraint)
-{
-	int32_t index = cni_joint_find(world, constraint, 1);
-	return index != CNI_NONE ? cni_joint_at(world, index) : NULL;
-}
-
 /*
  * Defines the public function cn_<noun>_get_<what>, which reads one value of a live record: value is an expression of `record` and
  * `world`.
