@@ -8,6 +8,15 @@
 
 /* ------------------------------------------------------------------ changing */
 
+cni_joint *cni_check_joint_of_type(cni_call *call, int32_t type, uint32_t handle)
+{
+	int32_t constraint = cni_joint_is_constraint(type);
+	cni_joint *j = constraint ? cni_check_constraint(call, "constraint", handle) : cni_check_joint(call, "joint", handle);
+	if (j != NULL && j->type != type)
+		cni_refuse(call, CN_ERROR_STATE, constraint ? "the constraint is of another type" : "the joint is of another type");
+	return j;
+}
+
 void cni_joint_change_reserve(cni_call *call, cn_world *world, const cni_joint *j)
 {
 	int32_t contacts = j->body[0] != CNI_NONE ? cni_body_at(world, j->body[0])->contact_count : 0;
@@ -97,10 +106,8 @@ cn_result cn_joint_set_limits(cn_world *world, cn_joint joint, float lower, floa
 cn_result cn_joint_set_target(cn_world *world, cn_joint joint, float target_x_m, float target_y_m)
 {
 	cni_call call = cni_enter(world, __func__);
-	cni_joint *j = cni_check_joint(&call, "joint", joint);
+	cni_joint *j = cni_check_joint_of_type(&call, CN_JOINT_MOUSE, joint);
 	cni_vec2 target = cni_v(target_x_m, target_y_m);
-	if (j != NULL && j->type != CN_JOINT_MOUSE)
-		cni_refuse(&call, CN_ERROR_STATE, "the joint is of another type");
 	cni_check_position(&call, "target", target);
 	if (call.result != CN_OK)
 		return call.result;

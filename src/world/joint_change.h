@@ -35,6 +35,8 @@ void cni_joint_def_read(const cni_joint *j, void *def);
 /* Revolute: -pi <= lower <= upper <= pi. Distance: 0 <= lower <= upper. Others: lower <= upper. */
 void cni_check_joint_limits(cni_call *call, int32_t type, float lower, float upper);
 
+/* The record of a live joint or constraint of this type, or NULL when the call has failed. */
+cni_joint *cni_check_joint_of_type(cni_call *call, int32_t type, uint32_t handle);
 /* Reserves memory for one more joint that ends up to this many contacts. */
 void cni_joint_reserve_one(cni_call *call, cn_world *world, int32_t contacts);
 /* Takes a slot after cni_joint_reserve_one; the record is unlinked and 0 except for the arguments. */
