@@ -170,12 +170,11 @@ cn_result cni_list_joints(const cn_world *world, int32_t constraint, uint32_t *o
 {
 	cni_call call = cni_enter_const(world);
 	cni_list list = cni_list_begin(&call, out, capacity, out_count);
-	int32_t used, k;
+	int32_t k;
 	if (call.result != CN_OK)
 		return call.result;
-	used = cni_handles_used(&world->joint_handles);
-	for (k = 0; k < used && list.count < capacity; ++k)
-		if (cni_handles_alive(&world->joint_handles, k) && cni_joint_is_constraint(cni_joint_at(world, k)->type) == constraint)
+	for (k = cni_handles_next(&world->joint_handles, 0); k != CNI_NONE && list.count < capacity; k = cni_handles_next(&world->joint_handles, k + 1))
+		if (cni_joint_is_constraint(cni_joint_at(world, k)->type) == constraint)
 			cni_list_add(&list, cni_joint_handle(world, k));
 	*out_count = constraint ? world->constraint_count : world->joint_handles.count - world->constraint_count;
 	return CN_OK;

@@ -12,13 +12,11 @@ static cn_result list_alive(const cn_world *world, const cni_handles *handles, u
 {
 	cni_call call = cni_enter_const(world);
 	cni_list list = cni_list_begin(&call, out, capacity, out_count);
-	int32_t used, k;
+	int32_t k;
 	if (call.result != CN_OK)
 		return call.result;
-	used = cni_handles_used(handles);
-	for (k = 0; k < used && list.count < capacity; ++k)
-		if (cni_handles_alive(handles, k))
-			cni_list_add(&list, cni_handles_of(handles, k));
+	for (k = cni_handles_next(handles, 0); k != CNI_NONE && list.count < capacity; k = cni_handles_next(handles, k + 1))
+		cni_list_add(&list, cni_handles_of(handles, k));
 	*out_count = handles->count;
 	return CN_OK;
 }

@@ -10,10 +10,9 @@
 
 static void wake_all(cn_world *world)
 {
-	int32_t used = cni_handles_used(&world->body_handles), body;
-	for (body = 0; body < used; ++body)
-		if (cni_handles_alive(&world->body_handles, body))
-			cni_body_wake(world, body);
+	int32_t body;
+	for (body = cni_handles_next(&world->body_handles, 0); body != CNI_NONE; body = cni_handles_next(&world->body_handles, body + 1))
+		cni_body_wake(world, body);
 }
 
 /* Defines cn_world_get_<what>, which reads one value of the world. */
@@ -163,12 +162,9 @@ WORLD_GET(user_data, uint64_t, world->user_data)
 /* Only islands of two or more bodies have records; a single dynamic body is an island too. */
 static void count_islands(const cn_world *world, cn_counters *out)
 {
-	int32_t used = cni_handles_used(&world->body_handles), k;
-	for (k = 0; k < used; ++k) {
-		const cni_body *b;
-		if (!cni_handles_alive(&world->body_handles, k))
-			continue;
-		b = cni_body_at(world, k);
+	int32_t k;
+	for (k = cni_handles_next(&world->body_handles, 0); k != CNI_NONE; k = cni_handles_next(&world->body_handles, k + 1)) {
+		const cni_body *b = cni_body_at(world, k);
 		if (b->type != CN_BODY_DYNAMIC || !(b->flags & CN_BODY_ENABLED) || b->island != CNI_NONE)
 			continue;
 		++out->islands;
