@@ -63,7 +63,7 @@ void cni_sequential_positions(cn_world *world, const cni_solve *s)
 		motions[k].dpy = s->dt * motions[k].vy;
 		motions[k].theta = s->dt * motions[k].w;
 	}
-	cni_moves_clamp(world, s->dt); /* gravity times its scale may overflow, and so may the sum of many far ways */
+	cni_moves_clamp(world, s); /* gravity times its scale may overflow, and so may the sum of many far ways */
 	cni_sequential_guard(world);
 	cni_poses_take(world);
 }
