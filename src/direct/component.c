@@ -149,7 +149,8 @@ CNI_INLINE void nodes_push(cn_world *world, const cni_sparse *sparse, const cni_
 	}
 }
 
-void cni_direct_push(cn_world *world, const cni_sparse *sparse, const cni_component *c)
+/* Applies x of every node to body velocities and row impulses. */
+static void solution_push(cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
 	if (c->width == 2)
 		nodes_push(world, sparse, c, 2);
@@ -265,14 +266,14 @@ int32_t cni_direct_apply(cn_world *world, cni_sparse *sparse, cni_component *c)
 	if (!c->loops) {
 		if (!cni_sparse_solve(sparse, c))
 			return 0;
-		cni_direct_push(world, sparse, c);
+		solution_push(world, sparse, c);
 		dampers_forget(world, sparse, c);
 		return 1;
 	}
 	for (;;) {
 		cni_direct_motions_save(world, sparse, c, 0);
 		if (cni_sparse_solve(sparse, c)) {
-			cni_direct_push(world, sparse, c);
+			solution_push(world, sparse, c);
 			if (is_bounded(world, sparse, c)) {
 				dampers_forget(world, sparse, c);
 				return 1;
