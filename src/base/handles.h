@@ -68,6 +68,16 @@ static inline int32_t cni_handles_used(const cni_handles *handles) { return hand
 /* From the word of a slot. */
 static inline int32_t cni_slot_is_alive(uint32_t word) { return (word & CNI_HANDLE_ALIVE_BIT) != 0; }
 
+/* The first live slot from this one on; CNI_NONE: there are no more. */
+static inline int32_t cni_handles_next(const cni_handles *handles, int32_t slot)
+{
+	const uint32_t *words = (const uint32_t *)handles->slots.data;
+	for (; slot < handles->slots.count; ++slot)
+		if (cni_slot_is_alive(words[slot]))
+			return slot;
+	return CNI_NONE;
+}
+
 /* Without aliases, the word of a live slot. */
 static inline uint32_t cni_handles_word(uint32_t handle)
 {

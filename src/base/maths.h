@@ -126,6 +126,8 @@ static inline cni_aabb cni_no_box(void)
 	return box;
 }
 
+static inline float cni_sq(float x) { return x * x; }
+static inline float cni_inverse_or_zero(float x) { return x > 0.0f ? 1.0f / x : 0.0f; }
 /* 1 when neither NaN nor infinite. */
 static inline int32_t cni_is_finite(float x) { return x - x == 0.0f; }
 static inline int32_t cni_is_finite2(cni_vec2 v) { return cni_is_finite(v.x) && cni_is_finite(v.y); }

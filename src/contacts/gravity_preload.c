@@ -314,11 +314,6 @@ static int32_t pile_solve(pile *q, int32_t write)
 	return 1;
 }
 
-static float inverse_or_zero(float x)
-{
-	return x > 0.0f ? 1.0f / x : 0.0f;
-}
-
 static float height_of(const cn_world *world, const cni_body *b)
 {
 	return -(b->cx * world->settings.gravity.x + b->cy * world->settings.gravity.y);
@@ -333,9 +328,9 @@ static void weights_begin(const pile *q)
 		const cni_motion *m = cni_motions(q->world) + index;
 		const cni_external *d = cni_externals(q->world) + index;
 		weight *w = &q->weights[index];
-		w->x = q->h * d->ax * inverse_or_zero(m->inv_mass);
-		w->y = q->h * d->ay * inverse_or_zero(m->inv_mass);
-		w->turn = q->h * d->alpha * inverse_or_zero(m->inv_inertia);
+		w->x = q->h * d->ax * cni_inverse_or_zero(m->inv_mass);
+		w->y = q->h * d->ay * cni_inverse_or_zero(m->inv_mass);
+		w->turn = q->h * d->alpha * cni_inverse_or_zero(m->inv_inertia);
 		w->height = height_of(q->world, cni_body_at(q->world, cni_awake_ids(q->world)[index]));
 	}
 }

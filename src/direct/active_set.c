@@ -67,7 +67,8 @@ static void sides_renew(const cn_world *world, cni_sparse *sparse, const cni_com
 	}
 }
 
-int32_t cni_active_solve(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c)
+/* Solves the right sides for impulses with the active set. 0: the solution is not finite. */
+static int32_t set_solve(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c)
 {
 	int32_t round;
 	for (round = 0;; ++round) {
@@ -83,7 +84,7 @@ int32_t cni_active_solve(cn_world *world, const cni_solve *s, cni_sparse *sparse
 
 void cni_component_solve(cn_world *world, const cni_solve *s, cni_component *c)
 {
-	if (!(c->active ? cni_active_solve(world, s, s->direct, c) : cni_direct_apply(world, s->direct, c)))
+	if (!(c->active ? set_solve(world, s, s->direct, c) : cni_direct_apply(world, s->direct, c)))
 		cni_component_suspend(world, s->direct, c, 0);
 }
 

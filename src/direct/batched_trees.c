@@ -211,15 +211,7 @@ static void component_place(batch_builder *m, cni_component *c)
 /* The widest that this build and this processor have. */
 static const cni_tree_batch_kernel *kernel_choose(void)
 {
-#if CNI_HAS_WIDE_8
-	if (cni_cpu_has_avx2())
-		return &cni_tree_batch_kernel_8;
-#endif
-#if CNI_HAS_WIDE_4
-	return &cni_tree_batch_kernel_4;
-#else
-	return &cni_tree_batch_kernel_plain;
-#endif
+	return CNI_WIDEST(&cni_tree_batch_kernel_plain, &cni_tree_batch_kernel_4, &cni_tree_batch_kernel_8);
 }
 
 typedef struct batch_loop {

@@ -149,7 +149,8 @@ CNI_INLINE void nodes_push(cn_world *world, const cni_sparse *sparse, const cni_
 	}
 }
 
-void cni_direct_push(cn_world *world, const cni_sparse *sparse, const cni_component *c)
+/* Applies x of every node to body velocities and row impulses. */
+static void solution_push(cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
 	if (c->width == 2)
 		nodes_push(world, sparse, c, 2);
@@ -203,11 +204,6 @@ static void sides_save(cni_sparse *sparse, const cni_component *c, int32_t resto
 	}
 }
 
-static float inverse_or_zero(float x)
-{
-	return x > 0.0f ? 1.0f / x : 0.0f;
-}
-
 /*
  * With A = K + C, right sides b and A x = b, the velocity change M^-1 J^T x has twice the kinetic energy x K x <= x A x = x b: no solution
  * exceeds the work of its right sides. A solution that exceeds it was made by pivots that are rounding. Without motors, joints also cannot
@@ -227,8 +223,8 @@ static int32_t is_bounded(const cn_world *world, const cni_sparse *sparse, const
 	}
 	for (k = c->body_begin; k < c->body_end; ++k) {
 		const cni_motion *m = cni_motions(world) + sparse->bodies[k];
-		float mass = inverse_or_zero(m->inv_mass);
-		cni_four masses = cni_four_of(mass, mass, inverse_or_zero(m->inv_inertia), 0.0f), old = cni_four_load(&sparse->saved[k].vx);
+		float mass = cni_inverse_or_zero(m->inv_mass);
+		cni_four masses = cni_four_of(mass, mass, cni_inverse_or_zero(m->inv_inertia), 0.0f), old = cni_four_load(&sparse->saved[k].vx);
 		cni_four v = cni_four_subtract(cni_four_load(&m->vx), old);
 		change = cni_four_add(change, cni_four_times(cni_four_times(v, v), masses));
 		before = cni_four_add(before, cni_four_times(cni_four_times(old, old), masses));
@@ -265,14 +261,14 @@ int32_t cni_direct_apply(cn_world *world, cni_sparse *sparse, cni_component *c)
 	if (!c->loops) {
 		if (!cni_sparse_solve(sparse, c))
 			return 0;
-		cni_direct_push(world, sparse, c);
+		solution_push(world, sparse, c);
 		dampers_forget(world, sparse, c);
 		return 1;
 	}
 	for (;;) {
 		cni_direct_motions_save(world, sparse, c, 0);
 		if (cni_sparse_solve(sparse, c)) {
-			cni_direct_push(world, sparse, c);
+			solution_push(world, sparse, c);
 			if (is_bounded(world, sparse, c)) {
 				dampers_forget(world, sparse, c);
 				return 1;

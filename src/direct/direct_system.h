@@ -97,8 +97,6 @@ void cni_active_levers(const cn_world *world, cni_sparse *sparse, const cni_comp
 void cni_active_right_sides(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c, int32_t bias);
 /* Adds the solution to the impulses of the rows in the set. */
 void cni_active_impulses_add(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
-/* Solves the right sides for impulses with the active set. 0: the solution is not finite. */
-int32_t cni_active_solve(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c);
 
 /* ---- batched trees: direct/batched_trees.c ---- */
 
@@ -134,8 +132,6 @@ void cni_geometric_stiffness_begin(const cn_world *world, cni_sparse *sparse, cn
 /* Sets the damping rows (third rows) of pins in a component that has dampers, before its factorization. */
 void cni_geometric_stiffness_damp(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h);
 
-/* Applies x of every node to body velocities and row impulses. */
-void cni_direct_push(cn_world *world, const cni_sparse *sparse, const cni_component *c);
 /* Locks the relative rotation of pinned bodies, until the next cni_direct_system, where one of them would turn too far in a substep for
    positions to follow: faster than `most`. Returns 1 when it locked any: the component must be factored again. */
 int32_t cni_geometric_stiffness_lock(const cn_world *world, const cni_sparse *sparse, cni_component *c, float most);

@@ -372,11 +372,6 @@ static void contacts_finish(const cone *q)
 	q->c->factored = 0;
 }
 
-static float square(float x)
-{
-	return x * x;
-}
-
 static int32_t iterate(cone *q)
 {
 	float mean = q->tau;
@@ -396,7 +391,7 @@ static int32_t iterate(cone *q)
 		length = step_length(q);
 		predicted = predictor_store(q, length);
 		part = predicted / mean;
-		q->tau = cni_max(mean * part * part * part, square(CNI_CONE_PATH_SPEED * cni_max(q->residual, q->pass->speed_least)));
+		q->tau = cni_max(mean * part * part * part, cni_sq(CNI_CONE_PATH_SPEED * cni_max(q->residual, q->pass->speed_least)));
 		newton_set(q);
 		if (!cni_sparse_solve(q->sparse, q->c))
 			return 0;

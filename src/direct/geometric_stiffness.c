@@ -110,10 +110,9 @@ static float excess(const cn_world *world, const cni_sparse *sparse, int32_t ind
 	return inv_inertia > 0.0f ? h * h * sparse->pull[index] - CNI_STIFFNESS_XI_MAX / inv_inertia : 0.0f;
 }
 
-static int32_t is_fixed(const cn_world *world, int32_t index)
+static int32_t both_move(const cn_world *world, const cni_node *n)
 {
-	const cni_motion *m = cni_motions(world) + index;
-	return m->inv_mass == 0.0f && m->inv_inertia == 0.0f;
+	return cni_motion_can_move(cni_motions(world) + n->ia) && cni_motion_can_move(cni_motions(world) + n->ib);
 }
 
 void cni_geometric_stiffness_damp(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h)
@@ -125,7 +124,7 @@ void cni_geometric_stiffness_damp(const cn_world *world, cni_sparse *sparse, con
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
 		float most;
-		if (n->rows != 2 || is_fixed(world, n->ia) || is_fixed(world, n->ib))
+		if (n->rows != 2 || !both_move(world, n))
 			continue;
 		most = cni_max(excess(world, sparse, n->ia, h), excess(world, sparse, n->ib, h));
 		n->levers.aw[2] = most > 0.0f ? -1.0f : 0.0f;
@@ -140,7 +139,7 @@ int32_t cni_geometric_stiffness_lock(const cn_world *world, const cni_sparse *sp
 	int32_t k, found = 0;
 	for (k = c->begin; k < c->end && CNI_ON(GEOMETRIC_STIFFNESS); ++k) {
 		cni_node *n = &sparse->nodes[k];
-		if (n->rows != 2 || cni_joint_constraints(world)[n->owner].active_row > 0 || is_fixed(world, n->ia) || is_fixed(world, n->ib) ||
+		if (n->rows != 2 || cni_joint_constraints(world)[n->owner].active_row > 0 || !both_move(world, n) ||
 		    (cni_abs(motions[n->ia].w) <= most && cni_abs(motions[n->ib].w) <= most) || cni_abs(motions[n->ib].w - motions[n->ia].w) <= 0.5f * most)
 			continue;
 		c->width = CNI_NODE_ROWS;

@@ -27,15 +27,7 @@
 
 const cni_joint_kernel *cni_joint_kernel_choose(void)
 {
-#if CNI_HAS_WIDE_8
-	if (cni_cpu_has_avx2())
-		return &cni_joint_kernel_8;
-#endif
-#if CNI_HAS_WIDE_4
-	return &cni_joint_kernel_4;
-#else
-	return &cni_joint_kernel_plain;
-#endif
+	return CNI_WIDEST(&cni_joint_kernel_plain, &cni_joint_kernel_4, &cni_joint_kernel_8);
 }
 
 /* ---- forms ---- */
@@ -410,8 +402,7 @@ static void color_pass_run(void *context, int32_t begin, int32_t end, int32_t wo
 			c->run(cni_motions(c->world), cni_starts(c->world), &blocks[blocks[k].listed], &c->pass);
 }
 
-/* small: those blocks alone. */
-static void colors_run(cn_world *world, const cni_solve *s, cni_joint_kernel_fn *run, int32_t small)
+void cni_joint_blocks_run(cn_world *world, const cni_solve *s, cni_joint_kernel_fn *run, int32_t small)
 {
 	color_pass c = { world, { s->h, s->inv_h, s->warm_scale, s->joint, s->restless_speed }, run, 0, small };
 	int32_t color;
@@ -421,20 +412,10 @@ static void colors_run(cn_world *world, const cni_solve *s, cni_joint_kernel_fn 
 	}
 }
 
-void cni_joint_blocks_warm(cn_world *world, const cni_solve *s)
-{
-	colors_run(world, s, s->joint_kernel->warm, 0);
-}
-
-void cni_joint_blocks_solve(cn_world *world, const cni_solve *s)
-{
-	colors_run(world, s, s->joint_kernel->solve, 0);
-}
-
 int32_t cni_joint_blocks_relax(cn_world *world, const cni_solve *s, int32_t again)
 {
 	int32_t k, restless = 0;
-	colors_run(world, s, s->joint_kernel->relax, again);
+	cni_joint_blocks_run(world, s, s->joint_kernel->relax, again);
 	for (k = 0; k < world->joint_blocks.count; ++k)
 		restless |= cni_joint_blocks(world)[k].small & cni_joint_blocks(world)[k].restless;
 	return restless;

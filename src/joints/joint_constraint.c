@@ -252,7 +252,7 @@ void cni_joint_constraint_begin(cn_world *world, int32_t k, const cni_joint *j)
 	w->start = cni_joint_frame_place(world, j);
 }
 
-void cni_joint_rows_begin(cn_world *world, const cni_solve *s, cni_joint_constraint *w)
+static void rows_begin(cn_world *world, const cni_solve *s, cni_joint_constraint *w)
 {
 	const cni_joint *j = w->record;
 	float impulse[CNI_JOINT_ROWS];
@@ -276,7 +276,7 @@ void cni_joint_rows_begin(cn_world *world, const cni_solve *s, cni_joint_constra
 void cni_joint_rows_need(cn_world *world, const cni_solve *s, cni_joint_constraint *w)
 {
 	if (w->form != CNI_FORM_NONE && w->row_count == 0)
-		cni_joint_rows_begin(world, s, w);
+		rows_begin(world, s, w);
 }
 
 void cni_joint_constraint_prepare(cn_world *world, const cni_solve *s, int32_t k)
@@ -284,7 +284,7 @@ void cni_joint_constraint_prepare(cn_world *world, const cni_solve *s, int32_t k
 	cni_joint_constraint *w = cni_joint_constraints(world) + k;
 	cni_joint_constraint_begin(world, k, cni_joint_at(world, ((const int32_t *)world->awake_joints.data)[k]));
 	w->start.angle = cni_joint_frame_angle(world, w->record);
-	cni_joint_rows_begin(world, s, w);
+	rows_begin(world, s, w);
 }
 
 void cni_joint_rows_end(const cn_world *world, const cni_joint_constraint *w, cni_joint *j)

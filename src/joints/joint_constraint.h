@@ -130,9 +130,7 @@ static inline int32_t cni_joint_island(const cn_world *world, int32_t ia, int32_
 void cni_joint_constraint_prepare(cn_world *world, const cni_solve *s, int32_t k);
 /* Sets the fields that do not depend on the solver, except the frame's angle. */
 void cni_joint_constraint_begin(cn_world *world, int32_t k, const cni_joint *j);
-/* ... then its rows, decoupled, with their impulses. */
-void cni_joint_rows_begin(cn_world *world, const cni_solve *s, cni_joint_constraint *w);
-/* The same if they have not been built yet. */
+/* ... then its rows, decoupled, with their impulses, if they have not been built yet. */
 void cni_joint_rows_need(cn_world *world, const cni_solve *s, cni_joint_constraint *w);
 /* At the end of a step: stores the rows' impulses, for the type's rows, in the record. */
 void cni_joint_rows_end(const cn_world *world, const cni_joint_constraint *w, cni_joint *j);

@@ -11,13 +11,6 @@ static int32_t filter_rows(const cni_joint *j, const cni_joint_frame *f, cni_row
 	return 0;
 }
 
-static float filter_position(const cni_joint *j, const cni_joint_frame *f)
-{
-	(void)j;
-	(void)f;
-	return 0.0f;
-}
-
 static cni_row filter_speed_row(const cni_joint *j, const cni_joint_frame *f)
 {
 	(void)j;
@@ -25,4 +18,4 @@ static cni_row filter_speed_row(const cni_joint *j, const cni_joint_frame *f)
 	return cni_row_angular(CNI_ROW_MOTOR, 0, 0.0f, 1.0f);
 }
 
-const cni_joint_type cni_joint_filter = { filter_rows, filter_position, filter_speed_row, 0 };
+const cni_joint_type cni_joint_filter = { filter_rows, cni_joint_position_angle, filter_speed_row, 0 };

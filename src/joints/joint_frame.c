@@ -17,16 +17,10 @@ static cni_vec2 from_ground(const cni_body *b, const cni_joint *j, int32_t side,
 	return b == NULL ? cni_sub(j->anchor[side], point) : cni_add(center_from(b, point), r);
 }
 
-static cni_rot side_rotation(const cn_world *world, const cni_joint *j, int32_t side)
-{
-	cni_rot none = { 1.0f, 0.0f };
-	return j->body[side] == CNI_NONE ? none : cni_body_at(world, j->body[side])->q;
-}
-
 float cni_joint_frame_angle(const cn_world *world, const cni_joint *j)
 {
 	const cni_joint_type *type = cni_joint_type_of(j->type);
-	cni_rot qa = side_rotation(world, j, 0), qb = side_rotation(world, j, 1), q;
+	cni_rot qa = cni_joint_side_rotation(world, j, 0), qb = cni_joint_side_rotation(world, j, 1), q;
 	if (type->uses & CNI_USES_TURNS)
 		return cni_joint_turned(j, qa, qb, (type->uses & CNI_USES_RATIO) ? j->p[CNI_P_GEAR_RATIO] : 1.0f);
 	if (!(type->uses & CNI_USES_ANGLE))

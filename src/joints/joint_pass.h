@@ -100,9 +100,9 @@ const cni_joint_kernel *cni_joint_kernel_choose(void);
 
 /* Empties all lanes at the beginning of a step, and checks whether those of the last step can be kept. */
 void cni_joint_blocks_begin(cn_world *world);
-void cni_joint_blocks_warm(cn_world *world, const cni_solve *s);
-void cni_joint_blocks_solve(cn_world *world, const cni_solve *s);
-/* Returns 1 when a lane of a small island changed a velocity by more than restless_speed. again: lanes of small islands alone. */
+/* A pass over the blocks of all colours; small: those of small islands alone. */
+void cni_joint_blocks_run(cn_world *world, const cni_solve *s, cni_joint_kernel_fn *run, int32_t small);
+/* The relax pass. Returns 1 when a lane of a small island changed a velocity by more than restless_speed. again: lanes of small islands alone. */
 int32_t cni_joint_blocks_relax(cn_world *world, const cni_solve *s, int32_t again);
 /* 1: the joint's island is so small that its joints are relaxed again: joint_solve.c */
 static inline int32_t cni_joint_is_of_small(const cn_world *world, const cni_joint_constraint *w)

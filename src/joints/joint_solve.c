@@ -66,7 +66,7 @@ void cni_joints_warm_start(cn_world *world, const cni_solve *s)
 			cni_row_push(&w->rows[r], w->rows[r].impulse, cni_motions(world) + w->ia, cni_motions(world) + w->ib);
 		}
 	}
-	cni_joint_blocks_warm(world, s);
+	cni_joint_blocks_run(world, s, s->joint_kernel->warm, 0);
 }
 
 /* ---- impulses ---- */
@@ -220,7 +220,7 @@ void cni_joints_solve(cn_world *world, const cni_solve *s)
 	int32_t k;
 	for (k = world->joint_plain_first; k != CNI_NONE; k = cni_joint_constraints(world)[k].next_plain)
 		solve_constraint(cni_joint_constraints(world) + k, cni_motions(world), s, 1);
-	cni_joint_blocks_solve(world, s);
+	cni_joint_blocks_run(world, s, s->joint_kernel->solve, 0);
 }
 
 void cni_joints_solve_fresh(cn_world *world, const cni_solve *s, int32_t constraints)

@@ -55,12 +55,6 @@ float cni_joint_turned(const cni_joint *j, cni_rot qa, cni_rot qb, float ratio)
 	return (b - ratio * a) + TURN_RAD * turns_difference(turns_b, ratio, turns_a);
 }
 
-static cni_rot side_rotation(const cn_world *world, const cni_joint *j, int32_t side)
-{
-	cni_rot none = { 1.0f, 0.0f };
-	return j->body[side] == CNI_NONE ? none : cni_body_at(world, j->body[side])->q;
-}
-
 /* The click that holds a ratchet at this angle. A thousandth of a click below a click counts as on it, so that a ratchet that starts on a
    click does not fall back to the one before. */
 static float latch_at(const cni_joint *j, float angle)
@@ -72,7 +66,7 @@ static float latch_at(const cni_joint *j, float angle)
 
 void cni_joint_ratchet_begin(const cn_world *world, cni_joint *j)
 {
-	j->p[CNI_P_RATCHET_LATCH] = latch_at(j, cni_joint_turned(j, side_rotation(world, j, 0), side_rotation(world, j, 1), 1.0f));
+	j->p[CNI_P_RATCHET_LATCH] = latch_at(j, cni_joint_turned(j, cni_joint_side_rotation(world, j, 0), cni_joint_side_rotation(world, j, 1), 1.0f));
 }
 
 void cni_joint_turns_begin(const cn_world *world, cni_joint *j)
@@ -81,7 +75,7 @@ void cni_joint_turns_begin(const cn_world *world, cni_joint *j)
 	if (!(cni_joint_type_of(j->type)->uses & CNI_USES_TURNS))
 		return;
 	for (side = 0; side < 2; ++side) {
-		cni_rot q = side_rotation(world, j, side);
+		cni_rot q = cni_joint_side_rotation(world, j, side);
 		j->p[CNI_P_TURN + 2 * side] = cni_atan2(q.s, q.c);
 		j->p[CNI_P_TURN + 2 * side + 1] = 0.0f;
 	}
@@ -95,7 +89,7 @@ void cni_joint_turns_advance(const cn_world *world, cni_joint *j, float theta_a,
 	int32_t side;
 	for (side = 0; side < 2; ++side) {
 		float *state = j->p + CNI_P_TURN + 2 * side;
-		float turns, angle = side_angle(j, side, side_rotation(world, j, side), &turns);
+		float turns, angle = side_angle(j, side, cni_joint_side_rotation(world, j, side), &turns);
 		float expected = angle + (side == 0 ? theta_a : theta_b);
 		float whole = rounded(expected / TURN_RAD);
 		state[0] = expected - TURN_RAD * whole;

@@ -77,6 +77,12 @@ extern const cni_joint_type cni_joint_revolute, cni_joint_distance, cni_joint_fi
 	cni_joint_groove, cni_joint_filter, cni_joint_angle, cni_joint_line;
 const cni_joint_type *cni_joint_type_of(int32_t type);
 
+/* Rotation of the body on a side; of the world, none. */
+static inline cni_rot cni_joint_side_rotation(const cn_world *world, const cni_joint *j, int32_t side)
+{
+	cni_rot none = { 1.0f, 0.0f };
+	return j->body[side] == CNI_NONE ? none : cni_body_at(world, j->body[side])->q;
+}
 /* The frame at the bodies' present poses, with angle 0. */
 cni_joint_frame cni_joint_frame_place(const cn_world *world, const cni_joint *j);
 /* The angle at the bodies' present poses. */

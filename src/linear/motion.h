@@ -16,4 +16,6 @@ typedef struct cni_motion {
 	float dpx, dpy, theta, inv_inertia; /* change of centre and angle since the step began */
 } cni_motion;
 
+static inline int32_t cni_motion_can_move(const cni_motion *m) { return m->inv_mass > 0.0f || m->inv_inertia > 0.0f; }
+
 #endif

@@ -62,10 +62,8 @@ static cni_clique *clique_at(const cni_planner *p, int32_t body) { return &p->cl
 static int32_t clique_collect(cni_planner *p, int32_t body)
 {
 	cni_clique *c = clique_at(p, body);
-	int32_t key, count = 0;
-	for (key = p->body_head[body]; key != CNI_NONE; key = cni_planner_next(p, key))
-		++count;
-	c->nodes = list_alloc(p, count);
+	int32_t key;
+	c->nodes = list_alloc(p, cni_planner_nodes_at(p, body));
 	c->count = c->met = 0;
 	if (c->nodes == NULL)
 		return 0;

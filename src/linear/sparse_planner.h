@@ -56,13 +56,21 @@ static inline int32_t cni_planner_body(const cni_planner *p, int32_t node, int32
 {
 	const cni_link *link = &p->system->links[node];
 	int32_t body = side ? link->ib : link->ia;
-	const cni_motion *m = p->system->motions + body;
-	return m->inv_mass == 0.0f && m->inv_inertia == 0.0f ? 0 : body;
+	return cni_motion_can_move(p->system->motions + body) ? body : 0;
 }
 
 static inline int32_t cni_planner_next(const cni_planner *p, int32_t key)
 {
 	return p->node_next[key & 1][key >> 1];
+}
+
+/* Number of nodes at a body that can move. */
+static inline int32_t cni_planner_nodes_at(const cni_planner *p, int32_t body)
+{
+	int32_t key, count = 0;
+	for (key = p->body_head[body]; key != CNI_NONE; key = cni_planner_next(p, key))
+		++count;
+	return count;
 }
 
 /* Frees all scratch that was taken since the arena had `entries` entries. */

@@ -70,14 +70,6 @@ static void root_at(const cni_planner *p, int32_t root, rooted_tree *t)
 	}
 }
 
-static int32_t nodes_at(const cni_planner *p, int32_t body)
-{
-	int32_t key, count = 0;
-	for (key = p->body_head[body]; key != CNI_NONE; key = cni_planner_next(p, key))
-		++count;
-	return count;
-}
-
 /* Roots the tree at the body with the most nodes; of several, at the one that gives the least hash. */
 static void root_at_best(const cni_planner *p, rooted_tree *out)
 {
@@ -87,7 +79,7 @@ static void root_at_best(const cni_planner *p, rooted_tree *out)
 	for (k = 0; k < p->member_count; ++k)
 		for (side = 0; side < 2; ++side) {
 			int32_t body = cni_planner_body(p, p->member[k], side);
-			if (body == 0 || nodes_at(p, body) < p->hub || body == out->body[0])
+			if (body == 0 || cni_planner_nodes_at(p, body) < p->hub || body == out->body[0])
 				continue;
 			root_at(p, body, &t);
 			if (out->count == 0 || t.hash[0] < out->hash[0])
@@ -118,11 +110,6 @@ void cni_planner_order_tree(cni_planner *p)
 
 /* ---- classes ---- */
 
-static int32_t can_move(const cni_motion *m)
-{
-	return m->inv_mass > 0.0f || m->inv_inertia > 0.0f;
-}
-
 /* Two ends that cannot move would close a loop through the world, so c->loops excludes more than one. */
 static int32_t may_have_class(const cni_sparse *s, const cni_component *c)
 {
@@ -138,7 +125,7 @@ static int32_t may_have_class(const cni_sparse *s, const cni_component *c)
 static uint8_t place_of(const cni_sparse *s, const cni_component *c, const cni_motion *motions, int32_t body)
 {
 	int32_t k = c->body_begin;
-	if (!can_move(motions + body))
+	if (!cni_motion_can_move(motions + body))
 		return (uint8_t)(c->body_end - c->body_begin);
 	while (s->bodies[k] != body)
 		++k;

@@ -11,20 +11,13 @@
 
 typedef struct cni_area {
 	int32_t shape;
-	int32_t priority;
-	uint32_t flags;        /* CN_AREA_* */
-	cni_vec2 gravity;
-	cni_vec2 center;       /* of the pull, in the frame of the sensor's body */
-	float pull, pull_distance;
-	float linear_damping, angular_damping;
-	float density, drag, lift;
-	cni_vec2 flow;
+	cn_area_def def;       /* struct_size is 0, and so is a pull_distance_m of CN_DEFAULT */
 } cni_area;
 
 /* The order of the list. */
 static inline int32_t cni_area_is_before(const cni_area *a, const cni_area *b)
 {
-	return a->priority < b->priority || (a->priority == b->priority && a->shape < b->shape);
+	return a->def.priority < b->def.priority || (a->def.priority == b->def.priority && a->shape < b->shape);
 }
 /* The area of a shape, NULL: it has none. O(areas). */
 cni_area *cni_area_of_shape(const cn_world *world, int32_t shape);

@@ -99,8 +99,6 @@ static inline uint32_t cni_motion_keep_finite(cni_motion *m)
 	return 1;
 }
 
-static inline int32_t cni_motion_can_move(const cni_motion *m) { return m->inv_mass > 0.0f || m->inv_inertia > 0.0f; }
-
 typedef struct cni_velocity_start {
 	float vx, vy, w;
 	float jumped; /* 1 or more: an impact changed the velocity in this substep, in later sweeps more */

@@ -292,13 +292,11 @@ void cni_contact_destroy_of_body(cn_world *world, int32_t body)
 
 void cni_contact_destroy_of_shape(cn_world *world, int32_t shape)
 {
-	int32_t key = cni_body_at(world, cni_shape_at(world, shape)->body)->contact_first;
+	int32_t key = cni_contact_first_of_shape(world, shape);
 	while (key != CNI_NONE) {
-		const cni_contact *c = cni_contact_of_key(world, key);
 		int32_t contact = key >> 1;
-		key = c->next[key & 1];
-		if (cni_proxy_at(world, c->proxy[0])->shape == shape || cni_proxy_at(world, c->proxy[1])->shape == shape)
-			destroy_and_wake(world, contact);
+		key = cni_contact_next_of_shape(world, key, shape);
+		destroy_and_wake(world, contact);
 	}
 }
 

@@ -253,8 +253,8 @@ int32_t cni_contact_end(cn_world *world, int32_t contact);
 void cni_contact_set_events(cn_world *world, int32_t contact, uint32_t mask);
 /* Predicted distance to the contact when its lane was written, along the normal, metres; 0 unless the bodies are fast. */
 float cni_contact_gap(const cn_world *world, const cni_contact *c);
-/* Closing speed, m/s, when the contact began to touch; 0 once its lane is anchored or asleep. */
-float cni_contact_approach(const cn_world *world, const cni_contact *c);
+/* The anchor of a lane that is not anchored, whose c, s and of.fresh are free for other use; NULL: anchored, or no lane. */
+cni_block_anchor *cni_contact_free_anchor(const cn_world *world, const cni_contact *c);
 /* May these two proxies make a contact, by the library's rules? Reads only. (cni_pair_filter_fn; context is the world) */
 int32_t cni_contact_possible(const void *context, int32_t proxy_a, int32_t proxy_b);
 /* ... by the user's filter, which runs in the calling thread. (cni_pair_filter_fn too) */

@@ -29,11 +29,6 @@ CNI_INLINE lane_frame frame_make(const cni_body *a, const cni_body *b, int32_t f
 	return f;
 }
 
-static float inverse_or_zero(float k)
-{
-	return k > 0.0f ? 1.0f / k : 0.0f;
-}
-
 static void lane_clear_point(cni_contact_row *p, uint32_t lane)
 {
 	p->at[lane] = p->an[lane] = p->s0[lane] = p->nm[lane] = p->jn[lane] = p->load[lane] = 0.0f;
@@ -72,7 +67,7 @@ static void lane_write_friction(cni_contact_block *block, uint32_t lane, float f
 {
 	block->fa[lane] = fa;
 	block->fb[lane] = fb;
-	block->tm[lane] = inverse_or_zero(inv_mass + ia * fa * fa + ib * fb * fb);
+	block->tm[lane] = cni_inverse_or_zero(inv_mass + ia * fa * fa + ib * fb * fb);
 }
 
 /* Rounding radius of the shape of a lane's body. */
@@ -153,7 +148,7 @@ static void lane_write_rare(cn_world *world, cni_contact *c, const lane_frame *f
 		c->flags &= ~(uint32_t)CNI_CONTACT_REFRESH;
 	}
 	if (cni_block_info_at(world, block)->flags & CNI_BLOCK_EXTRA)
-		cni_block_extra_at(world, block)->rolling_mass[c->slot % CNI_LANES] = inverse_or_zero(m->ia + m->ib);
+		cni_block_extra_at(world, block)->rolling_mass[c->slot % CNI_LANES] = cni_inverse_or_zero(m->ia + m->ib);
 }
 
 /* Manifold reuse excludes contacts that the narrowphase must visit in each step, and lanes with rare rows that depend on more than
@@ -274,7 +269,7 @@ void cni_contact_write(cn_world *world, cni_contact *c, const cni_body *a, const
 		p->at[lane] = at;
 		p->an[lane] = an;
 		p->s0[lane] = point->separation;
-		p->nm[lane] = inverse_or_zero(m.n + m.ia * at * at + m.ib * bt * bt);
+		p->nm[lane] = cni_inverse_or_zero(m.n + m.ia * at * at + m.ib * bt * bt);
 		p->jn[lane] = p->nm[lane] > 0.0f ? was.jn : 0.0f; /* if nothing can move, the kernels see a zero row */
 		p->load[lane] = p->nm[lane] > 0.0f ? was.load : 0.0f;
 		kept |= was.id != 0;

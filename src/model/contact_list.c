@@ -1,5 +1,5 @@
 /*
- * model/contact_list.c - contact records: the list of contacts apart, lookup, gap, approach speed, invalidation.
+ * model/contact_list.c - contact records: the list of contacts apart, lookup, gap, invalidation.
  */
 #include "model/world.h"
 #include "model/lane.h"
@@ -40,18 +40,16 @@ int32_t cni_contact_find(const cn_world *world, int32_t proxy_a, int32_t proxy_b
 	return CNI_NONE;
 }
 
-/* The place of the gap and the approach speed of a contact, NULL where both are 0. */
-static const cni_block_anchor *fresh_anchor(const cn_world *world, const cni_contact *c)
+cni_block_anchor *cni_contact_free_anchor(const cn_world *world, const cni_contact *c)
 {
-	int32_t block = c->slot / CNI_LANES, l = c->slot % CNI_LANES;
-	if ((c->flags & CNI_CONTACT_ASLEEP) || (cni_block_info_at(world, block)->anchored >> l & 1u))
+	if (!cni_contact_has_lane(c) || (cni_block_info_at(world, c->slot / CNI_LANES)->anchored >> c->slot % CNI_LANES & 1u))
 		return NULL;
-	return cni_block_anchor_at(world, block);
+	return cni_block_anchor_at(world, c->slot / CNI_LANES);
 }
 
 float cni_contact_gap(const cn_world *world, const cni_contact *c)
 {
-	const cni_block_anchor *anchor = fresh_anchor(world, c);
+	const cni_block_anchor *anchor = cni_contact_free_anchor(world, c);
 	return anchor != NULL ? anchor->of.fresh.gap[c->slot % CNI_LANES] : 0.0f;
 }
 
@@ -77,12 +75,6 @@ int32_t cni_contact_first_of_shape(const cn_world *world, int32_t shape)
 int32_t cni_contact_next_of_shape(const cn_world *world, int32_t key, int32_t shape)
 {
 	return contact_key_of_shape(world, cni_contact_of_key(world, key)->next[key & 1], shape);
-}
-
-float cni_contact_approach(const cn_world *world, const cni_contact *c)
-{
-	const cni_block_anchor *anchor = fresh_anchor(world, c);
-	return anchor != NULL ? anchor->of.fresh.approach[c->slot % CNI_LANES] : 0.0f;
 }
 
 void cni_contact_mark_sums(cn_world *world, const cni_contact *c)

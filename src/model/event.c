@@ -64,21 +64,14 @@ void cni_events_forget_built(cni_events *events)
 void cni_events_begin_step(cni_events *events)
 {
 	int32_t kind;
-	for (kind = 0; kind < CN_EVENT_KINDS; ++kind) {
-		cni_array log = events->log[kind];
-		log.count = 0;
-		events->log[kind] = log;
-		/* Contacts may end between steps too, but begin in steps only. */
-		if (kind == CN_EVENT_LEAVE || kind == CN_EVENT_DESTROYED) {
-			events->log[kind] = events->pending[kind];
-			events->pending[kind] = log;
-		}
-		events->built[kind] = 0;
-		events->seen[kind].count = 0;
-	}
+	for (kind = 0; kind < CN_EVENT_KINDS; ++kind)
+		if (kind == CN_EVENT_LEAVE || kind == CN_EVENT_DESTROYED) /* contacts may end between steps too, but begin in steps only */
+			pending_to_log(&events->log[kind], &events->pending[kind]);
+		else
+			events->log[kind].count = 0;
 	pending_to_log(&events->sensor_log, &events->sensor_pending);
 	pending_to_log(&events->joint_log, &events->joint_pending);
-	events->moved_built = 0;
+	cni_events_forget_built(events);
 	events->asleep.count = 0;
 }
 
@@ -106,26 +99,20 @@ static void event_write(const cn_world *world, int32_t contact, cni_event *e)
 	e->approach_speed = 0.0f;
 }
 
-/* Without an anchor the lane's c and s are free. */
-static cni_block_anchor *free_anchor(const cn_world *world, const cni_contact *c)
+/* Clears the impulses of an ENTER, and reads its approach speed, 0 once the lane is anchored. */
+static void enter_begin(const cn_world *world, const cni_contact *c, cni_event *e)
 {
-	if (!cni_contact_has_lane(c))
-		return NULL;
-	if (cni_block_info_at(world, c->slot / CNI_LANES)->anchored >> c->slot % CNI_LANES & 1u)
-		return NULL;
-	return cni_block_anchor_at(world, c->slot / CNI_LANES);
-}
-
-static void enter_impulses_clear(const cn_world *world, const cni_contact *c)
-{
-	cni_block_anchor *anchor = free_anchor(world, c);
-	if (anchor != NULL)
-		anchor->c[c->slot % CNI_LANES] = anchor->s[c->slot % CNI_LANES] = 0.0f;
+	cni_block_anchor *anchor = cni_contact_free_anchor(world, c);
+	int32_t l = c->slot % CNI_LANES;
+	if (anchor == NULL)
+		return;
+	anchor->c[l] = anchor->s[l] = 0.0f;
+	e->approach_speed = anchor->of.fresh.approach[l];
 }
 
 void cni_contact_add_enter_impulses(cn_world *world, const cni_contact *c, float normal, float friction)
 {
-	cni_block_anchor *anchor = c->flags & CNI_CONTACT_ENTERED ? free_anchor(world, c) : NULL;
+	cni_block_anchor *anchor = c->flags & CNI_CONTACT_ENTERED ? cni_contact_free_anchor(world, c) : NULL;
 	if (anchor == NULL)
 		return;
 	anchor->c[c->slot % CNI_LANES] += normal;
@@ -134,7 +121,7 @@ void cni_contact_add_enter_impulses(cn_world *world, const cni_contact *c, float
 
 static void enter_impulses_read(const cn_world *world, const cni_contact *c, cn_contact_event *out)
 {
-	const cni_block_anchor *anchor = free_anchor(world, c);
+	const cni_block_anchor *anchor = cni_contact_free_anchor(world, c);
 	if (anchor == NULL)
 		return;
 	out->normal_impulse_Ns = anchor->c[c->slot % CNI_LANES];
@@ -151,10 +138,8 @@ int32_t cni_event_log(cn_world *world, int32_t contact, int32_t kind)
 	if (e == NULL)
 		return 0;
 	event_write(world, contact, e);
-	if (kind == CN_EVENT_ENTER) {
-		e->approach_speed = cni_contact_approach(world, c);
-		enter_impulses_clear(world, c);
-	}
+	if (kind == CN_EVENT_ENTER)
+		enter_begin(world, c, e);
 	return 1;
 }
 

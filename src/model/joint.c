@@ -45,6 +45,14 @@ static int32_t side_is_awake(const cn_world *world, const cni_joint *j, int32_t 
 	return j->body[side] != CNI_NONE && cni_body_at(world, j->body[side])->awake != 0;
 }
 
+void cni_joint_wake_bodies(cn_world *world, const cni_joint *j)
+{
+	int32_t side;
+	for (side = 0; side < 2; ++side)
+		if (j->body[side] != CNI_NONE)
+			cni_body_wake(world, j->body[side]);
+}
+
 /* Ends the contacts between two bodies that a joint now forbids. */
 static void end_contacts_between(cn_world *world, int32_t body_a, int32_t body_b)
 {
@@ -80,13 +88,11 @@ static void bodies_refilter(cn_world *world, const cni_joint *j)
 void cni_joint_link(cn_world *world, int32_t joint)
 {
 	cni_joint *j = cni_joint_at(world, joint);
-	int32_t side, enabled = cni_joint_is_enabled(world, j);
+	int32_t enabled = cni_joint_is_enabled(world, j);
 	j->awake = CNI_NONE;
 	list_link(world, joint, 0);
 	list_link(world, joint, 1);
-	for (side = 0; side < 2; ++side)
-		if (j->body[side] != CNI_NONE)
-			cni_body_wake(world, j->body[side]);
+	cni_joint_wake_bodies(world, j);
 	j->linked = enabled && j->type != CN_JOINT_FILTER && cni_is_dynamic(world, j->body[0]) && cni_is_dynamic(world, j->body[1]);
 	if (j->linked)
 		cni_island_link(world, j->body[0], j->body[1]);
@@ -99,10 +105,7 @@ void cni_joint_link(cn_world *world, int32_t joint)
 void cni_joint_unlink(cn_world *world, int32_t joint)
 {
 	cni_joint *j = cni_joint_at(world, joint);
-	int32_t side;
-	for (side = 0; side < 2; ++side)
-		if (j->body[side] != CNI_NONE)
-			cni_body_wake(world, j->body[side]);
+	cni_joint_wake_bodies(world, j);
 	cni_joint_leave_awake_list(world, joint);
 	list_unlink(world, joint, 0);
 	list_unlink(world, joint, 1);

@@ -121,6 +121,7 @@ int32_t cni_joint_count(const cn_world *world, int32_t body);
 int32_t cni_joint_forbids(const cn_world *world, int32_t body_a, int32_t body_b);
 /* Are both of its bodies enabled? */
 int32_t cni_joint_is_enabled(const cn_world *world, const cni_joint *j);
+void cni_joint_wake_bodies(cn_world *world, const cni_joint *j);
 void cni_joint_enter_awake_list(cn_world *world, int32_t joint);
 void cni_joint_leave_awake_list(cn_world *world, int32_t joint);
 

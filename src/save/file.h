@@ -110,6 +110,10 @@ void cni_file_settings(cni_file *f, cni_settings *settings);
 void cni_file_world(cn_world *world, cni_file *f);
 /* The members of cn_world. */
 cni_record cni_file_world_record(void);
+/* Blocks with extra rows: all, where some contact needs them, else none, as in most worlds. */
+int32_t cni_file_extra_count(const cn_world *world);
+/* The k-th array of the world's state; NULL: there are no more. */
+cni_array *cni_file_array(cn_world *world, int32_t k);
 /* The first byte of a record that no field names, as record << 16 | offset; -1: all are named. For tests. */
 int32_t cni_file_unknown(void);
 

@@ -98,12 +98,12 @@ static int32_t joint_numbers_hold(const cni_joint *j)
 static int32_t records_hold(const cn_world *world)
 {
 	int32_t k, good = world_numbers_hold(world);
-	for (k = 0; k < world->body_handles.slots.count && good; ++k)
-		good = !body_alive(world, k) || body_numbers_hold(cni_body_at(world, k));
-	for (k = 0; k < world->shape_handles.slots.count && good; ++k)
-		good = !cni_handles_alive(&world->shape_handles, k) || shape_numbers_hold(cni_shape_at(world, k));
-	for (k = 0; k < world->joint_handles.slots.count && good; ++k)
-		good = !cni_handles_alive(&world->joint_handles, k) || joint_numbers_hold(cni_joint_at(world, k));
+	for (k = cni_handles_next(&world->body_handles, 0); k != CNI_NONE && good; k = cni_handles_next(&world->body_handles, k + 1))
+		good = body_numbers_hold(cni_body_at(world, k));
+	for (k = cni_handles_next(&world->shape_handles, 0); k != CNI_NONE && good; k = cni_handles_next(&world->shape_handles, k + 1))
+		good = shape_numbers_hold(cni_shape_at(world, k));
+	for (k = cni_handles_next(&world->joint_handles, 0); k != CNI_NONE && good; k = cni_handles_next(&world->joint_handles, k + 1))
+		good = joint_numbers_hold(cni_joint_at(world, k));
 	return good;
 }
 
@@ -332,8 +332,8 @@ static int32_t area_holds(const cn_world *world, const cni_area *a)
 	if (a->shape < 0 || !cni_handles_alive(&world->shape_handles, a->shape))
 		return 0;
 	s = cni_shape_at(world, a->shape);
-	return s->type != CN_SHAPE_EDGE && s->type != CN_SHAPE_CHAIN && (a->flags & ~CNI_AREA_FLAGS) == 0 && a->pull_distance >= 0.0f && a->linear_damping >= 0.0f &&
-	       a->angular_damping >= 0.0f && a->density >= 0.0f && a->drag >= 0.0f && a->lift >= 0.0f;
+	return s->type != CN_SHAPE_EDGE && s->type != CN_SHAPE_CHAIN && (a->def.flags & ~CNI_AREA_FLAGS) == 0 && a->def.pull_distance_m >= 0.0f && a->def.linear_damping_per_s >= 0.0f &&
+	       a->def.angular_damping_per_s >= 0.0f && a->def.density_kgpm2 >= 0.0f && a->def.drag_kgpm2 >= 0.0f && a->def.lift_kgpm2 >= 0.0f;
 }
 
 /* A shape with two areas of different priorities would do no harm. */

@@ -91,8 +91,9 @@ static const cni_field proxy_fields[] = { X(fat, WORD), X(old, WORD), X(shape, S
 
 #define R(member, kind) FIELD(cni_area, member, kind)
 static const cni_field area_fields[] = {
-	R(shape, SHAPE), R(priority, WORD), R(flags, WORD), R(gravity, FLOAT), R(center, FLOAT), R(pull, FLOAT), R(pull_distance, FLOAT), R(linear_damping, FLOAT),
-	R(angular_damping, FLOAT), R(density, FLOAT), R(drag, FLOAT), R(lift, FLOAT), R(flow, FLOAT)
+	R(shape, SHAPE), R(def.struct_size, DERIVED), R(def.priority, WORD), R(def.flags, WORD), R(def.gravity_mps2, FLOAT), R(def.center_m, FLOAT),
+	R(def.pull_mps2, FLOAT), R(def.pull_distance_m, FLOAT), R(def.linear_damping_per_s, FLOAT), R(def.angular_damping_per_s, FLOAT),
+	R(def.density_kgpm2, FLOAT), R(def.drag_kgpm2, FLOAT), R(def.lift_kgpm2, FLOAT), R(def.flow_mps, FLOAT)
 };
 
 /* ---- contacts */
@@ -232,6 +233,46 @@ static void array_pass(cn_world *world, cni_file *f, const char *tag, int32_t re
 	}
 	for (k = 0; k < count; ++k)
 		cni_file_record(f, &records[record], (uint8_t *)array->data + (size_t)k * (size_t)array->item_bytes, stride);
+}
+
+/* The arrays of the world, in the order of their chunks, by the part of the file that they are in. */
+enum { BODIES_PART, AREAS_PART, CONTACTS_PART, JOINTS_PART, ISLANDS_PART, EVENTS_PART };
+
+typedef struct world_array {
+	char tag[5];
+	uint8_t part, record;
+	uint16_t offset;
+} world_array;
+
+#define ARRAY(part, tag, member, record) { tag, part, record, (uint16_t)offsetof(cn_world, member) }
+#define EVENTS(tag, member, record) ARRAY(EVENTS_PART, tag, events.member, record)
+static const world_array world_arrays[] = {
+	ARRAY(BODIES_PART, "MOTI", motion, OF_MOTION), ARRAY(BODIES_PART, "STAR", start, OF_START),
+	ARRAY(BODIES_PART, "EXTE", external, OF_EXTERNAL), ARRAY(BODIES_PART, "AWAK", awake_id, OF_BODY_INDEX),
+	ARRAY(BODIES_PART, "KICK", kicked, OF_WORDS), ARRAY(BODIES_PART, "PREV", previous, OF_PREVIOUS),
+	ARRAY(AREAS_PART, "AREA", areas, OF_AREA), ARRAY(CONTACTS_PART, "APAR", apart, OF_CONTACT_INDEX),
+	ARRAY(CONTACTS_PART, "SLEE", sleep_lanes, OF_SLEEP_LANE), ARRAY(JOINTS_PART, "JAWA", awake_joints, OF_JOINT_INDEX),
+	ARRAY(ISLANDS_PART, "DIRE", direct_islands, OF_ISLAND_INDEX), EVENTS("ELG0", log[0], OF_EVENT),
+	EVENTS("EPN0", pending[0], OF_EVENT), EVENTS("ELG1", log[1], OF_EVENT), EVENTS("EPN1", pending[1], OF_EVENT),
+	EVENTS("ELG2", log[CN_EVENT_STAY], OF_STAY), EVENTS("EPN2", pending[2], OF_EVENT), EVENTS("ELG3", log[3], OF_EVENT),
+	EVENTS("EPN3", pending[3], OF_EVENT), EVENTS("ELG4", log[4], OF_EVENT), EVENTS("EPN4", pending[4], OF_EVENT),
+	EVENTS("ELG5", log[CN_EVENT_HIT], OF_HIT), EVENTS("EPN5", pending[5], OF_EVENT), EVENTS("SLOG", sensor_log, OF_SENSOR_EVENT),
+	EVENTS("SPEN", sensor_pending, OF_SENSOR_EVENT), EVENTS("JLOG", joint_log, OF_JOINT_EVENT),
+	EVENTS("JPEN", joint_pending, OF_JOINT_EVENT), EVENTS("ASLP", asleep, OF_WORDS)
+};
+#define WORLD_ARRAYS ((int32_t)(sizeof world_arrays / sizeof world_arrays[0]))
+
+cni_array *cni_file_array(cn_world *world, int32_t k)
+{
+	return k < WORLD_ARRAYS ? (cni_array *)(void *)((uint8_t *)world + world_arrays[k].offset) : NULL;
+}
+
+static void arrays_pass(cn_world *world, cni_file *f, int32_t part)
+{
+	int32_t k;
+	for (k = 0; k < WORLD_ARRAYS; ++k)
+		if (world_arrays[k].part == part)
+			array_pass(world, f, world_arrays[k].tag, world_arrays[k].record, cni_file_array(world, k));
 }
 
 typedef int32_t live_fn(const cn_world *world, int32_t index);
@@ -392,7 +433,7 @@ static void lanes_pass(cn_world *world, cni_file *f, const char *tag, int32_t re
 	}
 }
 
-static int32_t extra_count(const cn_world *world)
+int32_t cni_file_extra_count(const cn_world *world)
 {
 	int32_t k;
 	for (k = 0; k < world->block_used && cni_table_capacity(&world->blocks_extra) > 0; ++k)
@@ -403,7 +444,7 @@ static int32_t extra_count(const cn_world *world)
 
 static void extra_pass(cn_world *world, cni_file *f)
 {
-	int32_t count = f->mode == CNI_FILE_READ ? cni_file_count(f, "EXTR") : extra_count(world);
+	int32_t count = f->mode == CNI_FILE_READ ? cni_file_count(f, "EXTR") : cni_file_extra_count(world);
 	if (f->mode == CNI_FILE_READ && count != 0 && count != world->block_used)
 		cni_file_fail(f, CN_ERROR_FORMAT);
 	else if (f->mode == CNI_FILE_READ && count > 0 && !cni_lane_reserve_extra(world))
@@ -434,28 +475,8 @@ static void contacts_pass(cn_world *world, cni_file *f)
 {
 	pool_pass(world, f, CONTACT_POOL, &world->contacts, CNI_FIELD_CONTACT, &world->contact_used, &world->contact_free);
 	table_pass(world, f, "CONT", OF_CONTACT, &world->contacts, world->contact_used, contact_is_live);
-	array_pass(world, f, "APAR", OF_CONTACT_INDEX, &world->apart);
-	array_pass(world, f, "SLEE", OF_SLEEP_LANE, &world->sleep_lanes);
+	arrays_pass(world, f, CONTACTS_PART);
 	blocks_pass(world, f);
-}
-
-/* ---- events ---- */
-
-static void events_pass(cn_world *world, cni_file *f)
-{
-	cni_events *events = &world->events;
-	char log[5] = "ELG0", pending[5] = "EPN0";
-	int32_t kind;
-	for (kind = 0; kind < CN_EVENT_KINDS; ++kind) {
-		log[3] = pending[3] = (char)('0' + kind);
-		array_pass(world, f, log, kind == CN_EVENT_STAY ? OF_STAY : kind == CN_EVENT_HIT ? OF_HIT : OF_EVENT, &events->log[kind]);
-		array_pass(world, f, pending, OF_EVENT, &events->pending[kind]);
-	}
-	array_pass(world, f, "SLOG", OF_SENSOR_EVENT, &events->sensor_log);
-	array_pass(world, f, "SPEN", OF_SENSOR_EVENT, &events->sensor_pending);
-	array_pass(world, f, "JLOG", OF_JOINT_EVENT, &events->joint_log);
-	array_pass(world, f, "JPEN", OF_JOINT_EVENT, &events->joint_pending);
-	array_pass(world, f, "ASLP", OF_WORDS, &events->asleep);
 }
 
 /* ---- the whole ---- */
@@ -473,24 +494,13 @@ static void limits_read(cni_file *f)
 	f->limits[CNI_FIELD_CONTACT_KEY] = f->limits[CNI_FIELD_CONTACT] < 1 << 30 ? 2 * f->limits[CNI_FIELD_CONTACT] : 0;
 }
 
-static void bodies_pass(cn_world *world, cni_file *f)
-{
-	table_pass(world, f, "BODY", OF_BODY, &world->bodies, world->body_handles.slots.count, body_is_live);
-	array_pass(world, f, "MOTI", OF_MOTION, &world->motion);
-	array_pass(world, f, "STAR", OF_START, &world->start);
-	array_pass(world, f, "EXTE", OF_EXTERNAL, &world->external);
-	array_pass(world, f, "AWAK", OF_BODY_INDEX, &world->awake_id);
-	array_pass(world, f, "KICK", OF_WORDS, &world->kicked);
-	array_pass(world, f, "PREV", OF_PREVIOUS, &world->previous);
-}
-
 static void joints_pass(cn_world *world, cni_file *f)
 {
 	table_pass(world, f, "JOIN", OF_JOINT, &world->joints, world->joint_handles.slots.count, joint_is_live);
-	array_pass(world, f, "JAWA", OF_JOINT_INDEX, &world->awake_joints);
+	arrays_pass(world, f, JOINTS_PART);
 	pool_pass(world, f, ISLAND_POOL, &world->islands, CNI_FIELD_ISLAND, &world->island_used, &world->island_free);
 	table_pass(world, f, "ISLA", OF_ISLAND, &world->islands, world->island_used, island_is_live);
-	array_pass(world, f, "DIRE", OF_ISLAND_INDEX, &world->direct_islands);
+	arrays_pass(world, f, ISLANDS_PART);
 }
 
 static void areas_pass(cn_world *world, cni_file *f)
@@ -498,7 +508,7 @@ static void areas_pass(cn_world *world, cni_file *f)
 	if (!CNI_HAS_AREAS && f->mode == CNI_FILE_READ)
 		cni_file_fail(f, CN_ERROR_FORMAT);
 	else
-		array_pass(world, f, "AREA", OF_AREA, &world->areas);
+		arrays_pass(world, f, AREAS_PART);
 }
 
 void cni_file_world(cn_world *world, cni_file *f)
@@ -512,7 +522,8 @@ void cni_file_world(cn_world *world, cni_file *f)
 	handles_pass(world, f, 'B', &world->body_handles);
 	handles_pass(world, f, 'S', &world->shape_handles);
 	handles_pass(world, f, 'J', &world->joint_handles);
-	bodies_pass(world, f);
+	table_pass(world, f, "BODY", OF_BODY, &world->bodies, world->body_handles.slots.count, body_is_live);
+	arrays_pass(world, f, BODIES_PART);
 	table_pass(world, f, "SHAP", OF_SHAPE, &world->shapes, world->shape_handles.slots.count, shape_is_live);
 	pool_pass(world, f, PROXY_POOL, &world->proxies, CNI_FIELD_PROXY, &world->proxy_used, &world->proxy_free);
 	table_pass(world, f, "PROX", OF_PROXY, &world->proxies, world->proxy_used, proxy_is_live);
@@ -520,7 +531,7 @@ void cni_file_world(cn_world *world, cni_file *f)
 		areas_pass(world, f);
 	contacts_pass(world, f);
 	joints_pass(world, f);
-	events_pass(world, f);
+	arrays_pass(world, f, EVENTS_PART);
 	cni_file_pieces(world, f);
 	cni_file_counts(world, f);
 }

@@ -97,10 +97,9 @@ static uint64_t geometries_words(const cn_world *world)
 {
 	uint64_t words = 0;
 	int32_t k;
-	for (k = 0; k < world->shape_handles.slots.count; ++k) {
+	for (k = cni_handles_next(&world->shape_handles, 0); k != CNI_NONE; k = cni_handles_next(&world->shape_handles, k + 1)) {
 		const cni_shape *s = cni_shape_at(world, k);
-		if (cni_handles_alive(&world->shape_handles, k))
-			words += geometry_words(s->type, (uint32_t)cni_shape_geometry(&world->blocks, s)->count);
+		words += geometry_words(s->type, (uint32_t)cni_shape_geometry(&world->blocks, s)->count);
 	}
 	return words;
 }
@@ -109,9 +108,7 @@ static void geometries_pass(cn_world *world, cni_file *f)
 {
 	int32_t k;
 	(void)cni_file_chunk_exact(f, "GEOM", 4, f->mode == CNI_FILE_READ ? 0 : (int32_t)geometries_words(world));
-	for (k = 0; k < world->shape_handles.slots.count && f->result == CN_OK; ++k) {
-		if (!cni_handles_alive(&world->shape_handles, k))
-			continue;
+	for (k = cni_handles_next(&world->shape_handles, 0); k != CNI_NONE && f->result == CN_OK; k = cni_handles_next(&world->shape_handles, k + 1)) {
 		if (f->mode == CNI_FILE_READ)
 			geometry_read(world, f, cni_shape_at(world, k));
 		else
@@ -126,8 +123,8 @@ static void geometries_pass(cn_world *world, cni_file *f)
 static int32_t material_ids_count(const cn_world *world)
 {
 	int32_t count = 0, k;
-	for (k = 0; k < world->shape_handles.slots.count; ++k)
-		count += cni_handles_alive(&world->shape_handles, k) && cni_shape_material_id(&world->blocks, cni_shape_at(world, k)) != 0;
+	for (k = cni_handles_next(&world->shape_handles, 0); k != CNI_NONE; k = cni_handles_next(&world->shape_handles, k + 1))
+		count += cni_shape_material_id(&world->blocks, cni_shape_at(world, k)) != 0;
 	return count;
 }
 
@@ -135,8 +132,8 @@ static void material_ids_write(cn_world *world, cni_file *f)
 {
 	int32_t k;
 	(void)cni_file_chunk_exact(f, "SMAT", 8, material_ids_count(world));
-	for (k = 0; k < world->shape_handles.slots.count; ++k) {
-		uint32_t id = cni_handles_alive(&world->shape_handles, k) ? cni_shape_material_id(&world->blocks, cni_shape_at(world, k)) : 0u;
+	for (k = cni_handles_next(&world->shape_handles, 0); k != CNI_NONE; k = cni_handles_next(&world->shape_handles, k + 1)) {
+		uint32_t id = cni_shape_material_id(&world->blocks, cni_shape_at(world, k));
 		if (id == 0)
 			continue;
 		(void)cni_file_word(f, (uint32_t)k);
@@ -237,10 +234,10 @@ static void bodies_count(cn_world *world)
 {
 	int32_t k;
 	world->awake_count = world->awake_id.count;
-	for (k = 0; k < world->body_handles.slots.count; ++k)
-		world->movable_count += cni_handles_alive(&world->body_handles, k) && cni_body_at(world, k)->type != CN_BODY_STATIC;
-	for (k = 0; k < world->joint_handles.slots.count; ++k)
-		world->constraint_count += cni_handles_alive(&world->joint_handles, k) && cni_joint_is_constraint(cni_joint_at(world, k)->type);
+	for (k = cni_handles_next(&world->body_handles, 0); k != CNI_NONE; k = cni_handles_next(&world->body_handles, k + 1))
+		world->movable_count += cni_body_at(world, k)->type != CN_BODY_STATIC;
+	for (k = cni_handles_next(&world->joint_handles, 0); k != CNI_NONE; k = cni_handles_next(&world->joint_handles, k + 1))
+		world->constraint_count += cni_joint_is_constraint(cni_joint_at(world, k)->type);
 }
 
 static void pools_count(cn_world *world)

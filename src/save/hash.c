@@ -61,21 +61,17 @@ cn_result cn_world_hash(const cn_world *world, uint64_t *out_hash)
 {
 	cni_call call = cni_enter_const(world);
 	uint64_t hash = 0xCBF29CE484222325u;
-	int32_t k, count;
+	int32_t k;
 	cni_check_pointer(&call, "out_hash", out_hash);
 	if (call.result != CN_OK)
 		return call.result;
-	count = cni_handles_used(&world->body_handles);
-	for (k = 0; k < count; ++k)
-		if (cni_handles_alive(&world->body_handles, k))
-			hash = hash_body(hash, world, cni_body_at(world, k));
+	for (k = cni_handles_next(&world->body_handles, 0); k != CNI_NONE; k = cni_handles_next(&world->body_handles, k + 1))
+		hash = hash_body(hash, world, cni_body_at(world, k));
 	for (k = 0; k < world->contact_used; ++k)
 		if (cni_contact_at(world, k)->flags & CNI_CONTACT_TOUCHING)
 			hash = hash_contact(hash, world, k);
-	count = cni_handles_used(&world->joint_handles);
-	for (k = 0; k < count; ++k)
-		if (cni_handles_alive(&world->joint_handles, k))
-			hash = hash_joint(hash, world, k);
+	for (k = cni_handles_next(&world->joint_handles, 0); k != CNI_NONE; k = cni_handles_next(&world->joint_handles, k + 1))
+		hash = hash_joint(hash, world, k);
 	*out_hash = hash;
 	return CN_OK;
 }

@@ -1,6 +1,5 @@
 /*
- * save/save_state.c - what the state of a world is: numbers by the list of the world's members (save/file_fields.c), tables, arrays and
- * events below.
+ * save/save_state.c - what the state of a world is: numbers and arrays by the lists of save/file_fields.c, tables below.
  *
  * Scratch of a step is not state, nor is what would be found again as it is: the lists of events that users see are built from
  * the logs; lanes of joints and plans of direct solving that are kept from the last step give the bits of new ones
@@ -30,21 +29,10 @@ static void rooms_pass(cn_world *world, cni_snapshot *s)
 	                             cni_joint_reserve(world, joints - world->joint_handles.count) == CN_OK);
 }
 
-/* Few worlds have contacts that need extra rows; where none does now, they are all zero. */
-static int32_t extra_used(const cn_world *world)
-{
-	int32_t k;
-	if (cni_table_capacity(&world->blocks_extra) == 0)
-		return 0;
-	for (k = 0; k < world->block_used; ++k)
-		if (cni_block_info_at(world, k)->flags & CNI_BLOCK_EXTRA)
-			return world->block_used;
-	return 0;
-}
-
+/* Where no contact needs extra rows, they are all zero. */
 static void extra_pass(cn_world *world, cni_snapshot *s)
 {
-	int32_t used = extra_used(world), k;
+	int32_t used = cni_file_extra_count(world), k;
 	uint64_t bytes = s->bytes + sizeof(int32_t);
 	if (s->mode == CNI_SNAPSHOT_LOAD && used == 0 && cni_table_capacity(&world->blocks_extra) > 0)
 		for (k = 0; k < world->block_used; ++k)
@@ -77,36 +65,15 @@ static void handles_pass(cni_snapshot *s, cni_handles *handles)
 	cni_snapshot_members(s, handles, offsetof(cni_handles, count), sizeof *handles);
 }
 
+/* Of events the logs; what was built from them is void. */
 static void arrays_pass(cn_world *world, cni_snapshot *s)
 {
-	cni_snapshot_array(s, &world->motion);
-	cni_snapshot_array(s, &world->start);
-	cni_snapshot_array(s, &world->external);
-	cni_snapshot_array(s, &world->awake_id);
-	cni_snapshot_array(s, &world->kicked);
-	cni_snapshot_array(s, &world->previous);
-	cni_snapshot_array(s, &world->areas);
-	cni_snapshot_array(s, &world->apart);
-	cni_snapshot_array(s, &world->sleep_lanes);
-	cni_snapshot_array(s, &world->awake_joints);
-	cni_snapshot_array(s, &world->direct_islands);
-}
-
-/* The logs; what was built from them is void. */
-static void events_pass(cni_events *events, cni_snapshot *s)
-{
-	int32_t kind;
-	for (kind = 0; kind < CN_EVENT_KINDS; ++kind) {
-		cni_snapshot_array(s, &events->log[kind]);
-		cni_snapshot_array(s, &events->pending[kind]);
-	}
-	cni_snapshot_array(s, &events->sensor_log);
-	cni_snapshot_array(s, &events->sensor_pending);
-	cni_snapshot_array(s, &events->joint_log);
-	cni_snapshot_array(s, &events->joint_pending);
-	cni_snapshot_array(s, &events->asleep);
+	cni_array *array;
+	int32_t k;
+	for (k = 0; (array = cni_file_array(world, k)) != NULL; ++k)
+		cni_snapshot_array(s, array);
 	if (s->mode == CNI_SNAPSHOT_LOAD)
-		cni_events_forget_built(events);
+		cni_events_forget_built(&world->events);
 }
 
 void cni_world_snapshot(cn_world *world, cni_snapshot *s)
@@ -124,7 +91,6 @@ void cni_world_snapshot(cn_world *world, cni_snapshot *s)
 	cni_snapshot_blocks(s, &world->blocks);
 	world->broadphase_ops->snapshot(world->broadphase, s);
 	arrays_pass(world, s); /* last what changes its length in most steps, so that it moves little else: save/save_delta.c */
-	events_pass(&world->events, s);
 	if (s->mode == CNI_SNAPSHOT_LOAD)
 		world->joint_lanes.lanes = world->readback_kept = 0;
 }

@@ -83,13 +83,13 @@ static place place_make(const visits *v, const cni_body *b, const cni_motion *m,
 /* Towards a point: g r / R within the distance R, as in a homogeneous ball, g (R / r)^2 outside; R = 0: g. */
 static cni_vec2 pull_at(const cni_area *a, const place *p)
 {
-	cni_vec2 to = cni_rotate(p->sensor->q, cni_sub(a->center, p->center));
-	float r = cni_length(to), R = a->pull_distance;
+	cni_vec2 to = cni_rotate(p->sensor->q, cni_sub(a->def.center_m, p->center));
+	float r = cni_length(to), R = a->def.pull_distance_m;
 	if (r == 0.0f)
 		return to;
 	if (R == 0.0f)
-		return cni_mul(a->pull / r, to);
-	return cni_mul(r <= R ? a->pull / R : a->pull * (R / r) * (R / r) / r, to);
+		return cni_mul(a->def.pull_mps2 / r, to);
+	return cni_mul(r <= R ? a->def.pull_mps2 / R : a->def.pull_mps2 * (R / r) * (R / r) / r, to);
 }
 
 /* ---- one body ---- */
@@ -108,7 +108,7 @@ static int32_t is_same_area(const visits *v, int32_t k, int32_t before)
 /* Damping towards the velocity of the medium. */
 static void damping_add(cni_medium_force *f, const cni_body *b, const cni_motion *m, const cni_area *a, cni_vec2 flow)
 {
-	float linear = b->mass * a->linear_damping, angular = b->inertia * a->angular_damping;
+	float linear = b->mass * a->def.linear_damping_per_s, angular = b->inertia * a->def.angular_damping_per_s;
 	f->drag[0] += linear * (flow.x - m->vx);
 	f->drag[1] += linear * (flow.y - m->vy);
 	f->drag[2] -= angular * m->w;
@@ -132,14 +132,14 @@ static void field_of_center(field *f, const visits *v, int32_t begin, int32_t en
 		p = place_make(v, b, m, a);
 		if (!cni_geometry_contains(p.geometry, p.center))
 			continue;
-		if (a->flags & CN_AREA_REPLACE) {
+		if (a->def.flags & CN_AREA_REPLACE) {
 			f->gravity = cni_v(0.0f, 0.0f);
 			memset(&f->force, 0, sizeof f->force);
 			f->first = k;
 		}
-		f->gravity = cni_add(f->gravity, cni_add(a->gravity, pull_at(a, &p)));
-		if (a->density == 0.0f)
-			damping_add(&f->force, b, m, a, cni_add(p.velocity, a->flow));
+		f->gravity = cni_add(f->gravity, cni_add(a->def.gravity_mps2, pull_at(a, &p)));
+		if (a->def.density_kgpm2 == 0.0f)
+			damping_add(&f->force, b, m, a, cni_add(p.velocity, a->def.flow_mps));
 	}
 }
 
@@ -156,12 +156,12 @@ static void medium_of_area(field *f, const visits *v, int32_t k, cni_in_medium *
 	cni_medium medium;
 	cni_medium_region region;
 	medium.up = up_of(f);
-	medium.buoyancy = a->density * cni_length(f->gravity);
-	medium.drag = a->drag;
-	medium.lift = a->lift;
-	medium.damping = a->density * a->linear_damping;
-	medium.turn_damping = a->density * a->angular_damping * b->inertia / b->mass;
-	medium.flow = cni_add(p.velocity, a->flow);
+	medium.buoyancy = a->def.density_kgpm2 * cni_length(f->gravity);
+	medium.drag = a->def.drag_kgpm2;
+	medium.lift = a->def.lift_kgpm2;
+	medium.damping = a->def.density_kgpm2 * a->def.linear_damping_per_s;
+	medium.turn_damping = a->def.density_kgpm2 * a->def.angular_damping_per_s * b->inertia / b->mass;
+	medium.flow = cni_add(p.velocity, a->def.flow_mps);
 	in->geometry = cni_shape_geometry(&v->world->blocks, cni_shape_at(v->world, visit_shape(v->keys[k])));
 	cni_medium_region_make(&region, p.geometry, p.center, p.sensor->q);
 	cni_medium_add(&f->force, &medium, &region, in);
@@ -178,7 +178,7 @@ static void field_of_parts(field *f, const visits *v, int32_t end, const cni_bod
 	in.spin = m->w;
 	for (k = f->first; k < end; ++k) {
 		const cni_area *a = visit_area(v, k);
-		if ((a->density != 0.0f || a->drag != 0.0f || a->lift != 0.0f) && (k == f->first || v->keys[k] != v->keys[k - 1]))
+		if ((a->def.density_kgpm2 != 0.0f || a->def.drag_kgpm2 != 0.0f || a->def.lift_kgpm2 != 0.0f) && (k == f->first || v->keys[k] != v->keys[k - 1]))
 			medium_of_area(f, v, k, &in, b, m);
 	}
 }

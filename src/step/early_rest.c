@@ -282,20 +282,15 @@ static void systems_done(const cn_world *world, cni_sparse *direct)
 	}
 }
 
-static float square(float x)
-{
-	return x * x;
-}
-
 static void rest_run(rest *r, const cni_solve *s)
 {
 	float speed = CNI_REST_SPEED * r->world->settings.length_unit;
 	r->h = s->h;
 	r->residual = 0.001f * speed;
 	r->solved = CNI_REST_SOLVED_PART * speed;
-	r->speed_sq = square(speed);
-	r->move_sq = square(s->h * speed);
-	r->residual_sq = square(r->residual);
+	r->speed_sq = cni_sq(speed);
+	r->move_sq = cni_sq(s->h * speed);
+	r->residual_sq = cni_sq(r->residual);
 	memset(r->moving, 0, (size_t)r->world->step_island_count);
 	slow_find(r);
 	if (moving_find(r) > 0)

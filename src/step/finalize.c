@@ -255,9 +255,8 @@ static void readback_begin(cn_world *world)
 	int32_t used = cni_handles_used(&world->body_handles), k, was_kept = world->readback_kept;
 	world->readback_kept = world->readback_asked != 0 && world->step_count + 1u - world->readback_asked < READBACK_STEPS &&
 		cni_table_reserve(&world->readback, &world->memory, used);
-	for (k = 0; k < used && world->readback_kept && !was_kept; ++k)
-		if (cni_handles_alive(&world->body_handles, k))
-			cni_readback_store(world, k);
+	for (k = cni_handles_next(&world->body_handles, 0); k != CNI_NONE && world->readback_kept && !was_kept; k = cni_handles_next(&world->body_handles, k + 1))
+		cni_readback_store(world, k);
 }
 
 int32_t cni_stage_finalize(cn_world *world, const cni_solve *s)

@@ -15,10 +15,6 @@
 #include "step/stages.h"
 #include "base/cpu.h"
 #include "step/integrate_pass.h"
-#if CNI_HAS_WIDE_4
-#define CNI_WIDTH 4
-#include "base/wide.h"
-#endif
 
 #define BODIES_A_RANGE 256 /* about a microsecond */
 #define DRIVES_A_RANGE 512 /* about ten: their records are read */
@@ -77,23 +73,16 @@ CNI_INLINE void external_make(const cn_world *world, const cni_body *b, const cn
 		d->ay = 0.0f;
 }
 
-/* Exact flight over time h. With vectors it works on rows, as in integrate_kernel.h. */
+/* Exact flight over time h. */
 CNI_INLINE void fly(cni_motion *m, const cni_external *d, float h)
 {
 	float half = 0.5f * h * h;
-#if CNI_HAS_WIDE_4
-	const cni_mask three = { -1, -1, -1, 0 };
-	cni_wide v = cni_wide_load(&m->vx), a = { d->ax, d->ay, d->alpha, 0.0f }, way = cni_wide_of(h) * v + cni_wide_of(half) * a;
-	cni_wide_store(&m->dpx, cni_wide_load(&m->dpx) + (cni_wide)((cni_mask)way & three));
-	cni_wide_store(&m->vx, v + cni_wide_of(h) * a);
-#else
 	m->dpx += h * m->vx + half * d->ax;
 	m->dpy += h * m->vy + half * d->ay;
 	m->theta += h * m->w + half * d->alpha;
 	m->vx += h * d->ax;
 	m->vy += h * d->ay;
 	m->w += h * d->alpha;
-#endif
 }
 
 static void fly_damped(cni_motion *m, const cni_external *d, const cni_body *b, const cni_solve *s)
@@ -122,21 +111,17 @@ static void external_make_in_area(const cn_world *world, cni_body *b, const cni_
 	b->flags |= CNI_BODY_IN_AREA;
 }
 
-/* A loop over the awake bodies; each iteration reads and writes one body. */
-typedef struct body_loop {
-	cn_world *world;
-	const cni_solve *s;
-	int32_t substep;
-} body_loop;
+static cni_body_pass body_pass_make(cn_world *world, const cni_solve *s, int32_t substep)
+{
+	cni_body_pass pass = { world, s, cni_motions(world), cni_starts(world), cni_externals(world), s->h, substep == 0 };
+	return pass;
+}
 
-/* run receives the bodies' dense indices. */
+/* run receives the bodies' dense indices, less one. */
 static void bodies_run(cni_team *team, int32_t min_range, cni_range_fn *run, cn_world *world, const cni_solve *s, int32_t substep)
 {
-	body_loop loop;
-	loop.world = world;
-	loop.s = s;
-	loop.substep = substep;
-	cni_team_for(team, world->awake_count - 1, min_range, run, &loop);
+	cni_body_pass pass = body_pass_make(world, s, substep);
+	cni_team_for(team, world->awake_count - 1, min_range, run, &pass);
 }
 
 /* The external acceleration of one body. */
@@ -154,8 +139,8 @@ CNI_INLINE cni_body *body_external_make(const cn_world *world, int32_t k, int32_
 
 static void external_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
-	const body_loop *loop = (const body_loop *)context;
-	const cn_world *world = loop->world;
+	const cni_body_pass *pass = (const cni_body_pass *)context;
+	const cn_world *world = pass->world;
 	cni_motion *motions = cni_motions(world);
 	cni_external *externals = cni_externals(world);
 	int32_t *islands = world->awake_islands, in_areas = cni_has_areas(world), k;
@@ -167,9 +152,9 @@ static void external_range(void *context, int32_t begin, int32_t end, int32_t wo
 		if (!(externals[k].flags & CNI_EXTERNAL_FREE))
 			continue;
 		if (externals[k].flags & CNI_EXTERNAL_DAMPED)
-			fly_damped(&motions[k], &externals[k], b, loop->s);
+			fly_damped(&motions[k], &externals[k], b, pass->s);
 		else
-			fly(&motions[k], &externals[k], loop->s->dt);
+			fly(&motions[k], &externals[k], pass->s->dt);
 	}
 }
 
@@ -304,34 +289,17 @@ static void position_finish(const cn_world *world, int32_t k, float h)
 
 const cni_body_kernel *cni_body_kernel_choose(void)
 {
-	if (!CNI_ON(BODY_KERNELS))
-		return NULL;
-#if CNI_HAS_WIDE_8
-	if (cni_cpu_has_avx2())
-		return &cni_body_kernel_8;
-#endif
-#if CNI_HAS_WIDE_4
-	return &cni_body_kernel_4;
-#else
-	return NULL;
-#endif
-}
-
-static cni_body_pass body_pass_make(const body_loop *loop)
-{
-	cni_body_pass pass = { loop->world, cni_motions(loop->world), cni_starts(loop->world), cni_externals(loop->world), loop->s->h, loop->substep == 0 };
-	return pass;
+	return CNI_ON(BODY_KERNELS) ? CNI_WIDEST(NULL, &cni_body_kernel_4, &cni_body_kernel_8) : NULL;
 }
 
 static void velocity_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
-	const body_loop *loop = (const body_loop *)context;
-	const cni_body_kernel *kernel = loop->s->body_kernel;
-	cni_body_pass pass = body_pass_make(loop);
-	int32_t k = kernel == NULL ? begin + 1 : kernel->velocities(&pass, begin + 1, end + 1);
+	const cni_body_pass *pass = (const cni_body_pass *)context;
+	const cni_body_kernel *kernel = pass->s->body_kernel;
+	int32_t k = kernel == NULL ? begin + 1 : kernel->velocities(pass, begin + 1, end + 1);
 	(void)worker;
 	for (; k <= end; ++k)
-		velocity_step(loop->world, k, pass.h, pass.first);
+		velocity_step(pass->world, k, pass->h, pass->first);
 }
 
 void cni_integrate_velocities(cn_world *world, const cni_solve *s, int32_t substep)
@@ -341,13 +309,12 @@ void cni_integrate_velocities(cn_world *world, const cni_solve *s, int32_t subst
 
 static void position_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
-	const body_loop *loop = (const body_loop *)context;
-	const cni_body_kernel *kernel = loop->s->body_kernel;
-	cni_body_pass pass = body_pass_make(loop);
-	int32_t k = kernel == NULL ? begin + 1 : kernel->positions(&pass, begin + 1, end + 1);
+	const cni_body_pass *pass = (const cni_body_pass *)context;
+	const cni_body_kernel *kernel = pass->s->body_kernel;
+	int32_t k = kernel == NULL ? begin + 1 : kernel->positions(pass, begin + 1, end + 1);
 	(void)worker;
 	for (; k <= end; ++k)
-		position_step(loop->world, k, pass.h);
+		position_step(pass->world, k, pass->h);
 }
 
 void cni_integrate_positions(cn_world *world, const cni_solve *s)
@@ -388,10 +355,10 @@ static uint32_t move_clamp(cni_motion *m, const move_limit *limit)
 }
 
 /* Applies speed limits to displacements before other stages read them. The kernel skips bodies within the limit, which are nearly all. */
-static void moves_clamp(const cni_body_pass *pass, const cni_body_kernel *kernel, float dt, int32_t begin, int32_t end)
+static void moves_clamp(const cni_body_pass *pass, int32_t begin, int32_t end)
 {
-	move_limit limit = move_limit_make(pass->world, dt);
-	cn_world *counter = (cn_world *)(uintptr_t)pass->world; /* the count is the only field that changes */
+	const cni_body_kernel *kernel = pass->s->body_kernel;
+	move_limit limit = move_limit_make(pass->world, pass->s->dt);
 	uint32_t stopped = 0;
 	int32_t k = begin, last;
 	while (k < end) {
@@ -401,25 +368,24 @@ static void moves_clamp(const cni_body_pass *pass, const cni_body_kernel *kernel
 			stopped += move_clamp(&pass->motions[k], &limit);
 	}
 	if (stopped > 0)
-		(void)cni_atomic_add(&counter->bodies_stopped, stopped);
+		(void)cni_atomic_add(&pass->world->bodies_stopped, stopped);
 }
 
-void cni_moves_clamp(cn_world *world, float dt)
+void cni_moves_clamp(cn_world *world, const cni_solve *s)
 {
-	cni_body_pass pass = { world, cni_motions(world), cni_starts(world), cni_externals(world), dt, 0 };
-	moves_clamp(&pass, NULL, dt, 1, world->awake_count);
+	const cni_body_pass pass = body_pass_make(world, s, 0);
+	moves_clamp(&pass, 1, world->awake_count);
 }
 
 static void finish_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
-	const body_loop *loop = (const body_loop *)context;
-	const cni_body_kernel *kernel = loop->s->body_kernel;
-	cni_body_pass pass = body_pass_make(loop);
-	int32_t k = kernel == NULL ? begin + 1 : kernel->finish(&pass, begin + 1, end + 1);
+	const cni_body_pass *pass = (const cni_body_pass *)context;
+	const cni_body_kernel *kernel = pass->s->body_kernel;
+	int32_t k = kernel == NULL ? begin + 1 : kernel->finish(pass, begin + 1, end + 1);
 	(void)worker;
 	for (; k <= end; ++k)
-		position_finish(loop->world, k, pass.h);
-	moves_clamp(&pass, kernel, loop->s->dt, begin + 1, end + 1);
+		position_finish(pass->world, k, pass->h);
+	moves_clamp(pass, begin + 1, end + 1);
 }
 
 void cni_integrate_finish(cn_world *world, const cni_solve *s)

@@ -226,44 +226,13 @@ static int32_t kernel_finish(const cni_body_pass *pass, int32_t begin, int32_t e
 	return k;
 }
 
-/* The first two components of the rows in four vectors, as CNI_WIDTH bodies. All columns have the same order, which is not the bodies'. */
-CNI_INLINE void columns(const cni_wide r[4], cni_wide *first, cni_wide *second)
-{
-#if CNI_WIDTH == 8
-	cni_wide low = __builtin_shufflevector(r[0], r[1], 0, 1, 8, 9, 4, 5, 12, 13), high = __builtin_shufflevector(r[2], r[3], 0, 1, 8, 9, 4, 5, 12, 13);
-	*first = __builtin_shufflevector(low, high, 0, 2, 8, 10, 4, 6, 12, 14);
-	*second = __builtin_shufflevector(low, high, 1, 3, 9, 11, 5, 7, 13, 15);
-#else
-	cni_wide low = __builtin_shufflevector(r[0], r[1], 0, 1, 4, 5), high = __builtin_shufflevector(r[2], r[3], 0, 1, 4, 5);
-	*first = __builtin_shufflevector(low, high, 0, 2, 4, 6);
-	*second = __builtin_shufflevector(low, high, 1, 3, 5, 7);
-#endif
-}
-
-/* The other two components. */
-CNI_INLINE void last_columns(const cni_wide r[4], cni_wide *third, cni_wide *last)
-{
-#if CNI_WIDTH == 8
-	cni_wide low = __builtin_shufflevector(r[0], r[1], 2, 3, 10, 11, 6, 7, 14, 15), high = __builtin_shufflevector(r[2], r[3], 2, 3, 10, 11, 6, 7, 14, 15);
-	*third = __builtin_shufflevector(low, high, 0, 2, 8, 10, 4, 6, 12, 14);
-	*last = __builtin_shufflevector(low, high, 1, 3, 9, 11, 5, 7, 13, 15);
-#else
-	cni_wide low = __builtin_shufflevector(r[0], r[1], 2, 3, 6, 7), high = __builtin_shufflevector(r[2], r[3], 2, 3, 6, 7);
-	*third = __builtin_shufflevector(low, high, 0, 2, 4, 6);
-	*last = __builtin_shufflevector(low, high, 1, 3, 5, 7);
-#endif
-}
-
 static int32_t kernel_near(const cni_body_pass *pass, int32_t begin, int32_t end, float move_sq, float turn)
 {
+	const int32_t row[8] = { 0, 1, 2, 3, 4, 5, 6, 7 }, stride = (int32_t)(sizeof(cni_motion) / sizeof(float));
 	int32_t k;
 	for (k = begin; k + CNI_WIDTH <= end; k += CNI_WIDTH) {
-		const cni_motion *m = pass->motions + k;
-		const cni_wide moves[4] = { rows_load(&m[0].dpx, sizeof *m), rows_load(&m[ROWS].dpx, sizeof *m), rows_load(&m[2 * ROWS].dpx, sizeof *m),
-			                   rows_load(&m[3 * ROWS].dpx, sizeof *m) };
 		cni_wide x, y, turns, unused;
-		columns(moves, &x, &y);
-		last_columns(moves, &turns, &unused);
+		cni_wide_gather4(&pass->motions[k].dpx, stride, row, &x, &y, &turns, &unused);
 		if (cni_mask_bits((x * x + y * y <= cni_wide_of(move_sq)) & (cni_wide_abs(turns) <= cni_wide_of(turn))) != (1u << CNI_WIDTH) - 1u)
 			break;
 	}

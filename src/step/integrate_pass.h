@@ -8,11 +8,13 @@
 #include "model/solve.h"
 #include "model/tuning.h"
 
+/* A loop over the awake bodies; each iteration reads and writes one body. */
 typedef struct cni_body_pass {
-	const cn_world *world;
+	cn_world *world;
+	const cni_solve *s;
 	cni_motion *motions;
 	cni_velocity_start *starts;
-	const cni_external *externals;
+	cni_external *externals;
 	float h;
 	int32_t first; /* 1: the first substep of the step */
 } cni_body_pass;

@@ -63,7 +63,7 @@ void cni_sequential_positions(cn_world *world, const cni_solve *s)
 		motions[k].dpy = s->dt * motions[k].vy;
 		motions[k].theta = s->dt * motions[k].w;
 	}
-	cni_moves_clamp(world, s->dt); /* gravity times its scale may overflow, and so may the sum of many far ways */
+	cni_moves_clamp(world, s); /* gravity times its scale may overflow, and so may the sum of many far ways */
 	cni_sequential_guard(world);
 	cni_poses_take(world);
 }
@@ -214,22 +214,10 @@ void cni_sequential_position_response(cn_world *world)
 
 /* ---- 3, 9: constraints and joints ---- */
 
-/* Runs constraints or joints. The records of the others keep their impulses, so both reactions can be read after the step. */
-static void joints_run(cn_world *world, const cni_solve *s, int32_t constraints)
+/* The records of the others keep their impulses, so both reactions can be read after the step. */
+void cni_sequential_joints(cn_world *world, const cni_solve *s, int32_t constraints)
 {
-	if (world->awake_joints.count == 0)
-		return;
 	cni_joints_prepare(world, s);
 	cni_joints_solve_fresh(world, s, constraints);
 	cni_joints_store(world, s);
-}
-
-void cni_sequential_constraints(cn_world *world, const cni_solve *s)
-{
-	joints_run(world, s, 1);
-}
-
-void cni_sequential_joints(cn_world *world, const cni_solve *s)
-{
-	joints_run(world, s, 0);
 }

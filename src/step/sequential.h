@@ -12,8 +12,7 @@ void cni_sequential_positions(cn_world *world, const cni_solve *s);
 void cni_sequential_guard(cn_world *world);
 void cni_sequential_velocity_response(cn_world *world, const cni_solve *s);
 void cni_sequential_position_response(cn_world *world);
-/* Constraints on a single body, before contacts; joints between bodies after them. */
-void cni_sequential_constraints(cn_world *world, const cni_solve *s);
-void cni_sequential_joints(cn_world *world, const cni_solve *s);
+/* Constraints on a single body (1), before contacts; joints between bodies (0) after them. */
+void cni_sequential_joints(cn_world *world, const cni_solve *s, int32_t constraints);
 
 #endif

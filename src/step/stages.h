@@ -20,7 +20,7 @@ void cni_integrate_velocities(cn_world *world, const cni_solve *s, int32_t subst
 void cni_integrate_positions(cn_world *world, const cni_solve *s);
 void cni_integrate_finish(cn_world *world, const cni_solve *s);
 /* Applies speed limits to the displacements of a step; bodies whose motion is not finite stay where they are. */
-void cni_moves_clamp(cn_world *world, float dt);
+void cni_moves_clamp(cn_world *world, const cni_solve *s);
 /* After the first substep: bodies at rest are finished for this step: step/early_rest.c. */
 void cni_rest_find(cn_world *world, const cni_solve *s);
 /* After the substeps: restores the angular momentum of isolated groups of bodies: step/angular_momentum.c. */

@@ -224,7 +224,8 @@ static int32_t step_sequential(cn_world *world, float dt, uint64_t *mark)
 	if (dt > 0.0f) {
 		cni_sequential_velocities(world, &s);                  /* 1 */
 		cni_sequential_positions(world, &s);                   /* 2 and 4 */
-		cni_sequential_constraints(world, &s);                 /* 3 */
+		if (has_joints(world))
+			cni_sequential_joints(world, &s, 1);           /* 3 */
 	}
 	profile_mark(world, &profile->prepare_s, mark);
 	cni_stage_pairs(world, dt);                                    /* 5 */
@@ -244,7 +245,7 @@ static int32_t step_sequential(cn_world *world, float dt, uint64_t *mark)
 	cni_sequential_position_response(world);                   /* 8 */
 	cni_sequential_guard(world);
 	if (has_joints(world))
-		cni_sequential_joints(world, &s);                  /* 9 */
+		cni_sequential_joints(world, &s, 0);               /* 9 */
 	profile_mark(world, &profile->substeps_s, mark);
 	rested = cni_stage_finalize(world, &s);                    /* 10 and 11 */
 	cni_impulse_sums_report(world);

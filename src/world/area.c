@@ -35,20 +35,10 @@ static void check_def(cni_call *call, const cn_area_def *def)
 static cni_area area_of_def(const cn_area_def *def, int32_t shape)
 {
 	cni_area a;
-	memset(&a, 0, sizeof a);
 	a.shape = shape;
-	a.priority = def->priority;
-	a.flags = def->flags;
-	a.gravity = def->gravity_mps2;
-	a.center = def->center_m;
-	a.pull = def->pull_mps2;
-	a.pull_distance = cni_zero_of_default(def->pull_distance_m);
-	a.linear_damping = def->linear_damping_per_s;
-	a.angular_damping = def->angular_damping_per_s;
-	a.density = def->density_kgpm2;
-	a.drag = def->drag_kgpm2;
-	a.lift = def->lift_kgpm2;
-	a.flow = def->flow_mps;
+	a.def = *def;
+	a.def.struct_size = 0;
+	a.def.pull_distance_m = cni_zero_of_default(def->pull_distance_m);
 	return a;
 }
 
@@ -98,19 +88,9 @@ cn_result cn_shape_get_area(const cn_world *world, cn_shape shape, cn_area_def *
 	a = cni_area_of_shape(world, cni_shape_index(world, shape));
 	if (a == NULL)
 		return cni_refuse(&call, CN_ERROR_STATE, "the shape is no area");
-	cn_area_def_init(out);
-	out->flags = a->flags;
-	out->priority = a->priority;
-	out->gravity_mps2 = a->gravity;
-	out->center_m = a->center;
-	out->pull_mps2 = a->pull;
-	out->pull_distance_m = cni_default_of_zero(a->pull_distance);
-	out->linear_damping_per_s = a->linear_damping;
-	out->angular_damping_per_s = a->angular_damping;
-	out->density_kgpm2 = a->density;
-	out->drag_kgpm2 = a->drag;
-	out->lift_kgpm2 = a->lift;
-	out->flow_mps = a->flow;
+	*out = a->def;
+	out->struct_size = (uint32_t)sizeof *out;
+	out->pull_distance_m = cni_default_of_zero(out->pull_distance_m);
 	return CN_OK;
 }
 

@@ -69,29 +69,8 @@ cn_result cn_body_get_pose(const cn_world *world, cn_body body, cn_pose *out)
 CNI_DEFINE_GET(body, angle, float, cni_atan2(record->q.s, record->q.c))
 CNI_DEFINE_GET(body, center, cn_vec2, cni_v(record->cx + record->cx_low, record->cy + record->cy_low))
 
-cn_result cn_body_get_world_point(const cn_world *world, cn_body body, float local_x_m, float local_y_m, cn_vec2 *out_m)
-{
-	cn_vec2 local_m = { local_x_m, local_y_m };
-	cni_call call = cni_enter_const(world);
-	const cni_body *b = cni_check_body(&call, "body", body);
-	cni_check_finite2(&call, "local_m", local_m);
-	cni_check_pointer(&call, "out_m", out_m);
-	if (call.result == CN_OK)
-		*out_m = cni_body_to_world(b, local_m);
-	return call.result;
-}
-
-cn_result cn_body_get_local_point(const cn_world *world, cn_body body, float world_x_m, float world_y_m, cn_vec2 *out_m)
-{
-	cn_vec2 world_m = { world_x_m, world_y_m };
-	cni_call call = cni_enter_const(world);
-	const cni_body *b = cni_check_body(&call, "body", body);
-	cni_check_finite2(&call, "world_m", world_m);
-	cni_check_pointer(&call, "out_m", out_m);
-	if (call.result == CN_OK)
-		*out_m = cni_body_to_local(b, world_m);
-	return call.result;
-}
+CNI_DEFINE_GET_AT(world_point, cni_body_to_world(record, point))
+CNI_DEFINE_GET_AT(local_point, cni_body_to_local(record, point))
 
 /* ------------------------------------------------------------------ velocity */
 
@@ -146,19 +125,13 @@ cn_result cn_body_set_target_pose(cn_world *world, cn_body body, float position_
 
 CNI_DEFINE_GET(body, velocity, cn_velocity, cni_body_velocity(world, record))
 
-cn_result cn_body_get_velocity_at(const cn_world *world, cn_body body, float point_x_m, float point_y_m, cn_vec2 *out_mps)
+static cn_vec2 finite_velocity_at(const cn_world *world, const cni_body *b, cn_vec2 point)
 {
-	cn_vec2 point_m = { point_x_m, point_y_m };
-	cni_call call = cni_enter_const(world);
-	const cni_body *b = cni_check_body(&call, "body", body);
-	cni_check_finite2(&call, "point_m", point_m);
-	cni_check_pointer(&call, "out_mps", out_mps);
-	if (call.result != CN_OK)
-		return call.result;
-	*out_mps = cni_body_velocity_at(world, b, point_m);
-	*out_mps = cni_v(cni_saturate(out_mps->x), cni_saturate(out_mps->y));
-	return CN_OK;
+	cn_vec2 v = cni_body_velocity_at(world, b, point);
+	return cni_v(cni_saturate(v.x), cni_saturate(v.y));
 }
+
+CNI_DEFINE_GET_AT(velocity_at, finite_velocity_at(world, record, point))
 
 /* ------------------------------------------------------------------ forces and impulses */
 

@@ -80,18 +80,10 @@ int32_t cn_constraint_is_valid(const cn_world *world, cn_constraint constraint)
 
 /* ------------------------------------------------------------------ reading back and replacing */
 
-static cni_joint *check_type(cni_call *call, cn_constraint constraint, int32_t type)
-{
-	cni_joint *j = cni_check_constraint(call, "constraint", constraint);
-	if (j != NULL && j->type != type)
-		cni_refuse(call, CN_ERROR_STATE, "the constraint is of another type");
-	return j;
-}
-
 static cn_result constraint_get(const cn_world *world, int32_t type, cn_constraint constraint, void *out)
 {
 	cni_call call = cni_enter_const(world);
-	const cni_joint *j = check_type(&call, constraint, type);
+	const cni_joint *j = cni_check_joint_of_type(&call, type, constraint);
 	constraint_head head;
 	cni_check_pointer(&call, "out", out);
 	if (call.result != CN_OK)
@@ -108,7 +100,7 @@ static cn_result constraint_get(const cn_world *world, int32_t type, cn_constrai
 static cn_result constraint_set(cn_world *world, const char *function, int32_t type, cn_constraint constraint, const void *def)
 {
 	cni_call call = cni_enter(world, function);
-	cni_joint *j = check_type(&call, constraint, type);
+	cni_joint *j = cni_check_joint_of_type(&call, type, constraint);
 	constraint_head head = check_def(&call, type, def);
 	if (call.result != CN_OK)
 		return call.result;

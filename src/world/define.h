@@ -12,28 +12,6 @@
 /* Constraints are joint records. */
 typedef cni_joint cni_constraint;
 
-/* Record of a live handle, or NULL. */
-static inline const cni_body *cni_live_body(const cn_world *world, cn_body body)
-{
-	int32_t index = cni_handles_find(&world->body_handles, body);
-	return index != CNI_NONE ? cni_body_at(world, index) : NULL;
-}
-static inline const cni_shape *cni_live_shape(const cn_world *world, cn_shape shape)
-{
-	int32_t index = cni_handles_find(&world->shape_handles, shape);
-	return index != CNI_NONE ? cni_shape_at(world, index) : NULL;
-}
-static inline const cni_joint *cni_live_joint(const cn_world *world, cn_joint joint)
-{
-	int32_t index = cni_joint_find(world, joint, 0);
-	return index != CNI_NONE ? cni_joint_at(world, index) : NULL;
-}
-static inline const cni_constraint *cni_live_constraint(const cn_world *world, cn_constraint constraint)
-{
-	int32_t index = cni_joint_find(world, constraint, 1);
-	return index != CNI_NONE ? cni_joint_at(world, index) : NULL;
-}
-
 /*
  * Defines the public function cn_<noun>_get_<what>, which reads one value of a live record: value is an expression of `record` and
  * `world`.
@@ -63,6 +41,20 @@ static inline const cni_constraint *cni_live_constraint(const cn_world *world, c
 			return record == NULL ? CN_ERROR_HANDLE : CN_ERROR_ARGUMENT; \
 		store; \
 		return CN_OK; \
+	}
+
+/* The same for a body and a point: value is an expression of `point`. */
+#define CNI_DEFINE_GET_AT(what, value) \
+	cn_result cn_body_get_##what(const cn_world *world, cn_body body, float x_m, float y_m, cn_vec2 *out) \
+	{ \
+		cni_call call = cni_enter_const(world); \
+		const cni_body *record = cni_check_body(&call, "body", body); \
+		cn_vec2 point = { x_m, y_m }; \
+		cni_check_finite2(&call, "point", point); \
+		cni_check_pointer(&call, "out", out); \
+		if (call.result == CN_OK) \
+			*out = value; \
+		return call.result; \
 	}
 
 /* Defines cn_<noun>_set_user_data and cn_<noun>_get_user_data. */

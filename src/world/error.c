@@ -423,42 +423,20 @@ void cni_check_material(cni_call *call, const cn_material *material)
 
 /* ------------------------------------------------------------------ checks of handles */
 
-/* Refuses CNI_NONE and returns the index. */
-static int32_t found(cni_call *call, int32_t index, const char *field, uint32_t handle, const char *kind)
-{
-	if (index == CNI_NONE)
-		refuse(call, CN_ERROR_HANDLE, "%s %x; must be the handle of a live %s", field, handle, kind);
-	return index;
-}
+/* Defines cni_check_<noun>. */
+#define DEFINE_CHECK(noun, record, handle) \
+	record *cni_check_##noun(cni_call *call, const char *field, handle given) \
+	{ \
+		record *found = call->result == CN_OK ? cni_live_##noun(call->world, given) : NULL; \
+		if (found == NULL) \
+			refuse(call, CN_ERROR_HANDLE, "%s %x; must be the handle of a live " #noun, field, given); \
+		return found; \
+	}
 
-static int32_t find(cni_call *call, const cni_handles *handles, const char *field, uint32_t handle, const char *kind)
-{
-	return found(call, cni_handles_find(handles, handle), field, handle, kind);
-}
-
-cni_body *cni_check_body(cni_call *call, const char *field, cn_body body)
-{
-	int32_t index = call->result == CN_OK ? find(call, &call->world->body_handles, field, body, "body") : CNI_NONE;
-	return index != CNI_NONE ? cni_body_at(call->world, index) : NULL;
-}
-
-cni_shape *cni_check_shape(cni_call *call, const char *field, cn_shape shape)
-{
-	int32_t index = call->result == CN_OK ? find(call, &call->world->shape_handles, field, shape, "shape") : CNI_NONE;
-	return index != CNI_NONE ? cni_shape_at(call->world, index) : NULL;
-}
-
-cni_joint *cni_check_joint(cni_call *call, const char *field, cn_joint joint)
-{
-	int32_t index = call->result == CN_OK ? found(call, cni_joint_find(call->world, joint, 0), field, joint, "joint") : CNI_NONE;
-	return index != CNI_NONE ? cni_joint_at(call->world, index) : NULL;
-}
-
-cni_joint *cni_check_constraint(cni_call *call, const char *field, cn_constraint constraint)
-{
-	int32_t index = call->result == CN_OK ? found(call, cni_joint_find(call->world, constraint, 1), field, constraint, "constraint") : CNI_NONE;
-	return index != CNI_NONE ? cni_joint_at(call->world, index) : NULL;
-}
+DEFINE_CHECK(body, cni_body, cn_body)
+DEFINE_CHECK(shape, cni_shape, cn_shape)
+DEFINE_CHECK(joint, cni_joint, cn_joint)
+DEFINE_CHECK(constraint, cni_joint, cn_constraint)
 
 /* ------------------------------------------------------------------ lists and slots */
 

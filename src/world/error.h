@@ -137,7 +137,28 @@ void cni_check_angle(cni_call *call, const char *field, float value);
 void cni_check_shape_mass(cni_call *call, cn_mass_data mass);
 void cni_check_material(cni_call *call, const cn_material *material);
 
-/* Record of a live handle, or NULL when the call has failed. */
+/* Record of a live handle, or NULL. */
+static inline cni_body *cni_live_body(const cn_world *world, cn_body body)
+{
+	int32_t index = cni_handles_find(&world->body_handles, body);
+	return index != CNI_NONE ? cni_body_at(world, index) : NULL;
+}
+static inline cni_shape *cni_live_shape(const cn_world *world, cn_shape shape)
+{
+	int32_t index = cni_handles_find(&world->shape_handles, shape);
+	return index != CNI_NONE ? cni_shape_at(world, index) : NULL;
+}
+static inline cni_joint *cni_live_joint(const cn_world *world, cn_joint joint)
+{
+	int32_t index = cni_joint_find(world, joint, 0);
+	return index != CNI_NONE ? cni_joint_at(world, index) : NULL;
+}
+static inline cni_joint *cni_live_constraint(const cn_world *world, cn_constraint constraint)
+{
+	int32_t index = cni_joint_find(world, constraint, 1);
+	return index != CNI_NONE ? cni_joint_at(world, index) : NULL;
+}
+/* ... or NULL when the call has failed. */
 cni_body *cni_check_body(cni_call *call, const char *field, cn_body body);
 cni_shape *cni_check_shape(cni_call *call, const char *field, cn_shape shape);
 cni_joint *cni_check_joint(cni_call *call, const char *field, cn_joint joint);

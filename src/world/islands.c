@@ -149,7 +149,7 @@ static int32_t body_is_awake_alone(const cn_world *world, int32_t body)
 cn_result cn_world_get_islands(const cn_world *world, cn_island_report *out, int32_t capacity, int32_t *out_count)
 {
 	cni_call call = cni_enter_const(world);
-	int32_t k, used, count = 0;
+	int32_t k, count = 0;
 	cni_check_output(&call, out, capacity, out_count);
 	if (call.result != CN_OK)
 		return call.result;
@@ -161,9 +161,8 @@ cn_result cn_world_get_islands(const cn_world *world, cn_island_report *out, int
 			report_make(world, i, i->first, &out[count]);
 		++count;
 	}
-	used = cni_handles_used(&world->body_handles);
-	for (k = 0; k < used; ++k) {
-		if (!cni_handles_alive(&world->body_handles, k) || !body_is_awake_alone(world, k))
+	for (k = cni_handles_next(&world->body_handles, 0); k != CNI_NONE; k = cni_handles_next(&world->body_handles, k + 1)) {
+		if (!body_is_awake_alone(world, k))
 			continue;
 		if (count < capacity)
 			report_make(world, NULL, k, &out[count]);

@@ -8,6 +8,15 @@
 
 /* ------------------------------------------------------------------ changing */
 
+cni_joint *cni_check_joint_of_type(cni_call *call, int32_t type, uint32_t handle)
+{
+	int32_t constraint = cni_joint_is_constraint(type);
+	cni_joint *j = constraint ? cni_check_constraint(call, "constraint", handle) : cni_check_joint(call, "joint", handle);
+	if (j != NULL && j->type != type)
+		cni_refuse(call, CN_ERROR_STATE, constraint ? "the constraint is of another type" : "the joint is of another type");
+	return j;
+}
+
 void cni_joint_change_reserve(cni_call *call, cn_world *world, const cni_joint *j)
 {
 	int32_t contacts = j->body[0] != CNI_NONE ? cni_body_at(world, j->body[0])->contact_count : 0;
@@ -15,14 +24,6 @@ void cni_joint_change_reserve(cni_call *call, cn_world *world, const cni_joint *
 		cni_check_reserved(call, cni_contact_reserve_end(world, contacts), "events of contacts");
 	if (call->result == CN_OK && !cni_island_reserve(world, 1))
 		cni_refuse(call, CN_ERROR_MEMORY, "no memory for islands");
-}
-
-void cni_joint_wake_bodies(cn_world *world, const cni_joint *j)
-{
-	int32_t side;
-	for (side = 0; side < 2; ++side)
-		if (j->body[side] != CNI_NONE)
-			cni_body_wake(world, j->body[side]);
 }
 
 /* Clears the impulses of missing rows: a row that returns later starts from 0. */
@@ -105,10 +106,8 @@ cn_result cn_joint_set_limits(cn_world *world, cn_joint joint, float lower, floa
 cn_result cn_joint_set_target(cn_world *world, cn_joint joint, float target_x_m, float target_y_m)
 {
 	cni_call call = cni_enter(world, __func__);
-	cni_joint *j = cni_check_joint(&call, "joint", joint);
+	cni_joint *j = cni_check_joint_of_type(&call, CN_JOINT_MOUSE, joint);
 	cni_vec2 target = cni_v(target_x_m, target_y_m);
-	if (j != NULL && j->type != CN_JOINT_MOUSE)
-		cni_refuse(&call, CN_ERROR_STATE, "the joint is of another type");
 	cni_check_position(&call, "target", target);
 	if (call.result != CN_OK)
 		return call.result;
@@ -171,12 +170,11 @@ cn_result cni_list_joints(const cn_world *world, int32_t constraint, uint32_t *o
 {
 	cni_call call = cni_enter_const(world);
 	cni_list list = cni_list_begin(&call, out, capacity, out_count);
-	int32_t used, k;
+	int32_t k;
 	if (call.result != CN_OK)
 		return call.result;
-	used = cni_handles_used(&world->joint_handles);
-	for (k = 0; k < used && list.count < capacity; ++k)
-		if (cni_handles_alive(&world->joint_handles, k) && cni_joint_is_constraint(cni_joint_at(world, k)->type) == constraint)
+	for (k = cni_handles_next(&world->joint_handles, 0); k != CNI_NONE && list.count < capacity; k = cni_handles_next(&world->joint_handles, k + 1))
+		if (cni_joint_is_constraint(cni_joint_at(world, k)->type) == constraint)
 			cni_list_add(&list, cni_joint_handle(world, k));
 	*out_count = constraint ? world->constraint_count : world->joint_handles.count - world->constraint_count;
 	return CN_OK;

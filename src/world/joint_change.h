@@ -35,6 +35,8 @@ void cni_joint_def_read(const cni_joint *j, void *def);
 /* Revolute: -pi <= lower <= upper <= pi. Distance: 0 <= lower <= upper. Others: lower <= upper. */
 void cni_check_joint_limits(cni_call *call, int32_t type, float lower, float upper);
 
+/* The record of a live joint or constraint of this type, or NULL when the call has failed. */
+cni_joint *cni_check_joint_of_type(cni_call *call, int32_t type, uint32_t handle);
 /* Reserves memory for one more joint that ends up to this many contacts. */
 void cni_joint_reserve_one(cni_call *call, cn_world *world, int32_t contacts);
 /* Takes a slot after cni_joint_reserve_one; the record is unlinked and 0 except for the arguments. */
@@ -44,7 +46,6 @@ int32_t cni_joint_take(cn_world *world, int32_t type, uint32_t flags, int32_t bo
 void cni_joint_change_reserve(cni_call *call, cn_world *world, const cni_joint *j);
 /* Replaces the flags, ends or permits contacts between the bodies, clears the impulses of missing rows, and wakes both bodies. */
 void cni_joint_change_flags(cn_world *world, int32_t joint, uint32_t flags);
-void cni_joint_wake_bodies(cn_world *world, const cni_joint *j);
 
 /* Joints (constraint 0) or constraints (1) of a body, and of the world. */
 cn_result cni_list_joints_of(const cn_world *world, cn_body body, int32_t constraint, uint32_t *out, int32_t capacity, int32_t *out_count);

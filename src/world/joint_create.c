@@ -159,18 +159,10 @@ cn_result cn_joint_destroy(cn_world *world, cn_joint joint)
 
 /* ------------------------------------------------------------------ reading back and replacing */
 
-static cni_joint *check_joint_type(cni_call *call, cn_joint joint, int32_t type)
-{
-	cni_joint *j = cni_check_joint(call, "joint", joint);
-	if (j != NULL && j->type != type)
-		cni_refuse(call, CN_ERROR_STATE, "the joint is of another type");
-	return j;
-}
-
 static cn_result joint_get(const cn_world *world, int32_t type, cn_joint joint, void *out)
 {
 	cni_call call = cni_enter_const(world);
-	const cni_joint *j = check_joint_type(&call, joint, type);
+	const cni_joint *j = cni_check_joint_of_type(&call, type, joint);
 	cni_check_pointer(&call, "out", out);
 	if (call.result != CN_OK)
 		return call.result;
@@ -183,7 +175,7 @@ static cn_result joint_get(const cn_world *world, int32_t type, cn_joint joint, 
 static cn_result joint_set(cn_world *world, const char *function, int32_t type, cn_joint joint, const void *def)
 {
 	cni_call call = cni_enter(world, function);
-	cni_joint *j = check_joint_type(&call, joint, type);
+	cni_joint *j = cni_check_joint_of_type(&call, type, joint);
 	const cn_joint_base *base = (const cn_joint_base *)def;
 	cn_joint_base present;
 	float ratio;

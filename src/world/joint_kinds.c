@@ -273,7 +273,7 @@ static void turn(void *number, float (*function)(float))
 	memcpy(number, &value, sizeof value);
 }
 
-void cni_joint_store_axis(cni_joint *j, cn_vec2 axis)
+static void store_axis(cni_joint *j, cn_vec2 axis)
 {
 	/* Scale by the larger component first: the squares of very long and very short axes would overflow or underflow. */
 	float size = cni_max(cni_abs(axis.x), cni_abs(axis.y));
@@ -292,11 +292,11 @@ void cni_joint_def_store(cni_joint *j, const void *def)
 		if (has_default(field))
 			turn((char *)j + field->in_joint, cni_zero_of_default);
 		if (field->values == AXIS)
-			cni_joint_store_axis(j, cni_v(j->p[CNI_P_AXIS_X], j->p[CNI_P_AXIS_Y]));
+			store_axis(j, cni_v(j->p[CNI_P_AXIS_X], j->p[CNI_P_AXIS_Y]));
 	}
 	if (j->type == CN_JOINT_GROOVE) {
 		cni_vec2 slot = cni_sub(cni_v(j->p[CNI_P_GROOVE_END_X], j->p[CNI_P_GROOVE_END_Y]), j->anchor[0]);
-		cni_joint_store_axis(j, slot);
+		store_axis(j, slot);
 		j->p[CNI_P_UPPER] = cni_length(slot);
 	}
 }

@@ -30,64 +30,32 @@ const char *cn_result_text(cn_result result)
 	}
 }
 
+#define SIZE(type, name) { CN_TYPE_##type, (uint16_t)sizeof(name) }
+static const struct size_of_type {
+	uint16_t type, bytes;
+} sizes[CN_TYPE_COUNT] = {
+	SIZE(VEC2, cn_vec2), SIZE(POSE, cn_pose), SIZE(VELOCITY, cn_velocity), SIZE(AABB, cn_aabb), SIZE(MASS_DATA, cn_mass_data),
+	SIZE(WORLD_DEF, cn_world_def), SIZE(BODY_DEF, cn_body_def), SIZE(SHAPE_DEF, cn_shape_def), SIZE(CIRCLE, cn_circle),
+	SIZE(CAPSULE, cn_capsule), SIZE(EDGE, cn_edge), SIZE(POLYGON, cn_polygon), SIZE(CHAIN, cn_chain), SIZE(FILTER, cn_filter),
+	SIZE(SENSOR_EVENT, cn_sensor_event), SIZE(UPDATE_REPORT, cn_update_report), SIZE(DEBUG_DRAW, cn_debug_draw),
+	SIZE(MATERIAL, cn_material), SIZE(MANIFOLD_POINT, cn_manifold_point), SIZE(MANIFOLD, cn_manifold),
+	SIZE(CONTACT_EVENT, cn_contact_event), SIZE(BODY_MOVED, cn_body_moved), SIZE(REVOLUTE_DEF, cn_revolute_def),
+	SIZE(DISTANCE_DEF, cn_distance_def), SIZE(COUNTERS, cn_counters), SIZE(PROFILE, cn_profile),
+	SIZE(MEMORY_STATS, cn_memory_stats), SIZE(QUERY_FILTER, cn_query_filter), SIZE(RAY, cn_ray), SIZE(RAY_HIT, cn_ray_hit),
+	SIZE(CLOSEST, cn_closest), SIZE(EXPLOSION_DEF, cn_explosion_def), SIZE(FIXED_DEF, cn_fixed_def),
+	SIZE(PRISMATIC_DEF, cn_prismatic_def), SIZE(WHEEL_DEF, cn_wheel_def), SIZE(MOTOR_DEF, cn_motor_def),
+	SIZE(MOUSE_DEF, cn_mouse_def), SIZE(GEAR_DEF, cn_gear_def), SIZE(PULLEY_DEF, cn_pulley_def),
+	SIZE(RATCHET_DEF, cn_ratchet_def), SIZE(ROTARY_SPRING_DEF, cn_rotary_spring_def), SIZE(GROOVE_DEF, cn_groove_def),
+	SIZE(FILTER_JOINT_DEF, cn_filter_joint_def), SIZE(JOINT_BASE, cn_joint_base), SIZE(JOINT_EVENT, cn_joint_event),
+	SIZE(ANGLE_CONSTRAINT_DEF, cn_angle_constraint_def), SIZE(LINE_CONSTRAINT_DEF, cn_line_constraint_def),
+	SIZE(ISLAND_REPORT, cn_island_report), SIZE(DISTANCE, cn_distance), SIZE(SWEEP, cn_sweep), SIZE(IMPACT, cn_impact),
+	SIZE(PLANE, cn_plane), SIZE(MOVER_DEF, cn_mover_def), SIZE(MOVER, cn_mover), SIZE(AREA_DEF, cn_area_def)
+};
+
 int32_t cn_sizeof(int32_t type)
 {
-	switch (type) {
-	case CN_TYPE_VEC2: return (int32_t)sizeof(cn_vec2);
-	case CN_TYPE_POSE: return (int32_t)sizeof(cn_pose);
-	case CN_TYPE_VELOCITY: return (int32_t)sizeof(cn_velocity);
-	case CN_TYPE_AABB: return (int32_t)sizeof(cn_aabb);
-	case CN_TYPE_MASS_DATA: return (int32_t)sizeof(cn_mass_data);
-	case CN_TYPE_WORLD_DEF: return (int32_t)sizeof(cn_world_def);
-	case CN_TYPE_BODY_DEF: return (int32_t)sizeof(cn_body_def);
-	case CN_TYPE_SHAPE_DEF: return (int32_t)sizeof(cn_shape_def);
-	case CN_TYPE_CIRCLE: return (int32_t)sizeof(cn_circle);
-	case CN_TYPE_CAPSULE: return (int32_t)sizeof(cn_capsule);
-	case CN_TYPE_EDGE: return (int32_t)sizeof(cn_edge);
-	case CN_TYPE_POLYGON: return (int32_t)sizeof(cn_polygon);
-	case CN_TYPE_CHAIN: return (int32_t)sizeof(cn_chain);
-	case CN_TYPE_FILTER: return (int32_t)sizeof(cn_filter);
-	case CN_TYPE_SENSOR_EVENT: return (int32_t)sizeof(cn_sensor_event);
-	case CN_TYPE_UPDATE_REPORT: return (int32_t)sizeof(cn_update_report);
-	case CN_TYPE_DEBUG_DRAW: return (int32_t)sizeof(cn_debug_draw);
-	case CN_TYPE_MATERIAL: return (int32_t)sizeof(cn_material);
-	case CN_TYPE_MANIFOLD_POINT: return (int32_t)sizeof(cn_manifold_point);
-	case CN_TYPE_MANIFOLD: return (int32_t)sizeof(cn_manifold);
-	case CN_TYPE_CONTACT_EVENT: return (int32_t)sizeof(cn_contact_event);
-	case CN_TYPE_BODY_MOVED: return (int32_t)sizeof(cn_body_moved);
-	case CN_TYPE_REVOLUTE_DEF: return (int32_t)sizeof(cn_revolute_def);
-	case CN_TYPE_DISTANCE_DEF: return (int32_t)sizeof(cn_distance_def);
-	case CN_TYPE_COUNTERS: return (int32_t)sizeof(cn_counters);
-	case CN_TYPE_PROFILE: return (int32_t)sizeof(cn_profile);
-	case CN_TYPE_MEMORY_STATS: return (int32_t)sizeof(cn_memory_stats);
-	case CN_TYPE_QUERY_FILTER: return (int32_t)sizeof(cn_query_filter);
-	case CN_TYPE_RAY: return (int32_t)sizeof(cn_ray);
-	case CN_TYPE_RAY_HIT: return (int32_t)sizeof(cn_ray_hit);
-	case CN_TYPE_CLOSEST: return (int32_t)sizeof(cn_closest);
-	case CN_TYPE_EXPLOSION_DEF: return (int32_t)sizeof(cn_explosion_def);
-	case CN_TYPE_FIXED_DEF: return (int32_t)sizeof(cn_fixed_def);
-	case CN_TYPE_PRISMATIC_DEF: return (int32_t)sizeof(cn_prismatic_def);
-	case CN_TYPE_WHEEL_DEF: return (int32_t)sizeof(cn_wheel_def);
-	case CN_TYPE_MOTOR_DEF: return (int32_t)sizeof(cn_motor_def);
-	case CN_TYPE_MOUSE_DEF: return (int32_t)sizeof(cn_mouse_def);
-	case CN_TYPE_GEAR_DEF: return (int32_t)sizeof(cn_gear_def);
-	case CN_TYPE_PULLEY_DEF: return (int32_t)sizeof(cn_pulley_def);
-	case CN_TYPE_RATCHET_DEF: return (int32_t)sizeof(cn_ratchet_def);
-	case CN_TYPE_ROTARY_SPRING_DEF: return (int32_t)sizeof(cn_rotary_spring_def);
-	case CN_TYPE_GROOVE_DEF: return (int32_t)sizeof(cn_groove_def);
-	case CN_TYPE_FILTER_JOINT_DEF: return (int32_t)sizeof(cn_filter_joint_def);
-	case CN_TYPE_JOINT_BASE: return (int32_t)sizeof(cn_joint_base);
-	case CN_TYPE_JOINT_EVENT: return (int32_t)sizeof(cn_joint_event);
-	case CN_TYPE_ANGLE_CONSTRAINT_DEF: return (int32_t)sizeof(cn_angle_constraint_def);
-	case CN_TYPE_LINE_CONSTRAINT_DEF: return (int32_t)sizeof(cn_line_constraint_def);
-	case CN_TYPE_ISLAND_REPORT: return (int32_t)sizeof(cn_island_report);
-	case CN_TYPE_DISTANCE: return (int32_t)sizeof(cn_distance);
-	case CN_TYPE_SWEEP: return (int32_t)sizeof(cn_sweep);
-	case CN_TYPE_IMPACT: return (int32_t)sizeof(cn_impact);
-	case CN_TYPE_PLANE: return (int32_t)sizeof(cn_plane);
-	case CN_TYPE_MOVER_DEF: return (int32_t)sizeof(cn_mover_def);
-	case CN_TYPE_MOVER: return (int32_t)sizeof(cn_mover);
-	case CN_TYPE_AREA_DEF: return (int32_t)sizeof(cn_area_def);
-	default: return 0;
-	}
+	int32_t k = 0;
+	while (k < CN_TYPE_COUNT && sizes[k].type != type)
+		++k;
+	return k < CN_TYPE_COUNT ? sizes[k].bytes : 0;
 }

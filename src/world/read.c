@@ -12,13 +12,11 @@ static cn_result list_alive(const cn_world *world, const cni_handles *handles, u
 {
 	cni_call call = cni_enter_const(world);
 	cni_list list = cni_list_begin(&call, out, capacity, out_count);
-	int32_t used, k;
+	int32_t k;
 	if (call.result != CN_OK)
 		return call.result;
-	used = cni_handles_used(handles);
-	for (k = 0; k < used && list.count < capacity; ++k)
-		if (cni_handles_alive(handles, k))
-			cni_list_add(&list, cni_handles_of(handles, k));
+	for (k = cni_handles_next(handles, 0); k != CNI_NONE && list.count < capacity; k = cni_handles_next(handles, k + 1))
+		cni_list_add(&list, cni_handles_of(handles, k));
 	*out_count = handles->count;
 	return CN_OK;
 }
@@ -44,7 +42,6 @@ cn_result cn_world_get_joints(const cn_world *world, cn_joint *out, int32_t capa
 typedef struct walk {
 	const cn_world *world;
 	const cn_body *bodies; /* NULL: every body */
-	const uint32_t *slots; /* of the handles */
 	int32_t slot;          /* where the search for the next live body begins */
 	int32_t step;
 } walk;
@@ -54,7 +51,6 @@ static walk walk_begin(const cn_world *world, const cn_body *bodies)
 	walk w;
 	w.world = world;
 	w.bodies = bodies;
-	w.slots = world != NULL ? (const uint32_t *)world->body_handles.slots.data : NULL;
 	w.slot = w.step = 0;
 	return w;
 }
@@ -64,8 +60,7 @@ static int32_t walk_next(walk *w)
 {
 	if (w->bodies != NULL)
 		return cni_body_index(w->world, w->bodies[w->step++]);
-	while (!cni_slot_is_alive(w->slots[w->slot]))
-		++w->slot;
+	w->slot = cni_handles_next(&w->world->body_handles, w->slot);
 	return w->slot++;
 }
 

@@ -10,10 +10,9 @@
 
 static void wake_all(cn_world *world)
 {
-	int32_t used = cni_handles_used(&world->body_handles), body;
-	for (body = 0; body < used; ++body)
-		if (cni_handles_alive(&world->body_handles, body))
-			cni_body_wake(world, body);
+	int32_t body;
+	for (body = cni_handles_next(&world->body_handles, 0); body != CNI_NONE; body = cni_handles_next(&world->body_handles, body + 1))
+		cni_body_wake(world, body);
 }
 
 /* Defines cn_world_get_<what>, which reads one value of the world. */
@@ -24,6 +23,17 @@ static void wake_all(cn_world *world)
 		cni_check_pointer(&call, "out", out); \
 		if (call.result == CN_OK) \
 			*out = value; \
+		return call.result; \
+	}
+
+/* Defines cn_world_set_<what>, which stores one value after a check. */
+#define WORLD_SET(what, type, value, check, place) \
+	cn_result cn_world_set_##what(cn_world *world, type value) \
+	{ \
+		cni_call call = cni_enter(world, __func__); \
+		check; \
+		if (call.result == CN_OK) \
+			place = value; \
 		return call.result; \
 	}
 
@@ -42,15 +52,7 @@ cn_result cn_world_set_gravity(cn_world *world, float gravity_x_mps2, float grav
 
 WORLD_GET(gravity, cn_vec2, world->settings.gravity)
 
-cn_result cn_world_set_substep_count(cn_world *world, int32_t count)
-{
-	cni_call call = cni_enter(world, __func__);
-	cni_check_range_int(&call, "count", count, 1, 64);
-	if (call.result == CN_OK)
-		world->settings.substeps = count;
-	return call.result;
-}
-
+WORLD_SET(substep_count, int32_t, count, cni_check_range_int(&call, "count", count, 1, 64), world->settings.substeps)
 WORLD_GET(substep_count, int32_t, world->settings.substeps)
 
 cn_result cn_world_set_solver(cn_world *world, int32_t solver)
@@ -106,23 +108,8 @@ cn_result cn_world_set_flags(cn_world *world, uint32_t flags)
 WORLD_GET(worker_count, int32_t, cni_team_workers(world->team))
 WORLD_GET(flags, uint32_t, world->settings.flags)
 
-cn_result cn_world_set_restitution_threshold(cn_world *world, float speed_mps)
-{
-	cni_call call = cni_enter(world, __func__);
-	cni_check_at_least(&call, "speed_mps", speed_mps, 0.0f);
-	if (call.result == CN_OK)
-		world->settings.restitution_threshold = speed_mps;
-	return call.result;
-}
-
-cn_result cn_world_set_hit_speed(cn_world *world, float speed_mps)
-{
-	cni_call call = cni_enter(world, __func__);
-	cni_check_at_least(&call, "speed_mps", speed_mps, 0.0f);
-	if (call.result == CN_OK)
-		world->settings.hit_speed = speed_mps;
-	return call.result;
-}
+WORLD_SET(restitution_threshold, float, speed_mps, cni_check_at_least(&call, "speed_mps", speed_mps, 0.0f), world->settings.restitution_threshold)
+WORLD_SET(hit_speed, float, speed_mps, cni_check_at_least(&call, "speed_mps", speed_mps, 0.0f), world->settings.hit_speed)
 
 cn_result cn_world_set_speed_limits(cn_world *world, float linear_mps, float angular_radps)
 {
@@ -148,14 +135,7 @@ cn_result cn_world_set_sleep(cn_world *world, float speed_mps, float delay_s)
 	return CN_OK;
 }
 
-cn_result cn_world_set_user_data(cn_world *world, uint64_t user_data)
-{
-	cni_call call = cni_enter(world, __func__);
-	if (call.result == CN_OK)
-		world->user_data = user_data;
-	return call.result;
-}
-
+WORLD_SET(user_data, uint64_t, user_data, (void)0, world->user_data)
 WORLD_GET(user_data, uint64_t, world->user_data)
 
 /* ------------------------------------------------------------------ counters */
@@ -163,12 +143,9 @@ WORLD_GET(user_data, uint64_t, world->user_data)
 /* Only islands of two or more bodies have records; a single dynamic body is an island too. */
 static void count_islands(const cn_world *world, cn_counters *out)
 {
-	int32_t used = cni_handles_used(&world->body_handles), k;
-	for (k = 0; k < used; ++k) {
-		const cni_body *b;
-		if (!cni_handles_alive(&world->body_handles, k))
-			continue;
-		b = cni_body_at(world, k);
+	int32_t k;
+	for (k = cni_handles_next(&world->body_handles, 0); k != CNI_NONE; k = cni_handles_next(&world->body_handles, k + 1)) {
+		const cni_body *b = cni_body_at(world, k);
 		if (b->type != CN_BODY_DYNAMIC || !(b->flags & CN_BODY_ENABLED) || b->island != CNI_NONE)
 			continue;
 		++out->islands;

@@ -50,11 +50,14 @@ static void contacts_update(cn_world *world, int32_t shape)
 	}
 }
 
-static void check_change(cni_call *call, cn_shape shape, const cni_shape_source *from)
+/* The shape, or NULL when the call has failed. */
+static cni_shape *check_change(cni_call *call, cn_world *world, cn_shape shape, const cni_shape_source *from)
 {
-	const cni_shape *s = call->result == CN_OK ? cni_check_shape(call, "shape", shape) : NULL;
-	if (call->result == CN_OK && s->type != from->type)
+	cni_shape *s = cni_check_shape(call, "shape", shape);
+	if (s != NULL && s->type != from->type)
 		cni_refuse(call, CN_ERROR_STATE, "the shape is of another type");
+	cni_check_ends_of(call, world, s != NULL ? s->body : CNI_NONE);
+	return s;
 }
 
 /* A new piece where its size differs; else 0, and the old piece takes the new form. */
@@ -73,16 +76,13 @@ static cni_ref piece_reserve(cni_call *call, cn_world *world, const cni_shape *s
 static cn_result single_change(cni_call *call, cn_world *world, cn_shape shape, cni_shape_source from)
 {
 	small_geometry fresh;
+	const cni_shape *s = check_change(call, world, shape, &from);
 	int32_t index = cni_shape_index(world, shape), left;
-	cni_shape *s;
 	cni_ref ref;
-	check_change(call, shape, &from);
 	if (call->result != CN_OK)
 		return call->result;
-	s = cni_shape_at(world, index);
 	cni_source_build(&fresh.head, &from, cni_identity());
 	cni_check_shape_mass(call, cni_geometry_mass(&fresh.head, s->density));
-	cni_check_ends_of(call, world, s->body);
 	ref = piece_reserve(call, world, s, from.count);
 	if (call->result != CN_OK)
 		return call->result;
@@ -99,18 +99,13 @@ static cn_result single_change(cni_call *call, cn_world *world, cn_shape shape, 
 
 static cn_result chain_change(cni_call *call, cn_world *world, cn_shape shape, cni_shape_source from)
 {
+	const cni_shape *s = check_change(call, world, shape, &from);
 	int32_t index = cni_shape_index(world, shape);
 	uint64_t bytes;
-	cni_shape *s;
 	cni_ref ref;
-	check_change(call, shape, &from);
 	if (call->result != CN_OK)
 		return call->result;
-	s = cni_shape_at(world, index);
 	bytes = cni_shape_piece_bytes(world, CN_SHAPE_CHAIN, from.count);
-	cni_check_ends_of(call, world, s->body);
-	if (call->result != CN_OK)
-		return call->result;
 	ref = cni_blocks_alloc(&world->blocks, bytes);
 	if (ref == 0)
 		return cni_refuse(call, CN_ERROR_MEMORY, "no memory for the shape's geometry");

@@ -161,10 +161,8 @@ static void check_body(report *r, int32_t body)
 static void check_bodies(report *r)
 {
 	const cn_world *world = r->world;
-	int32_t k, used = cni_handles_used(&world->body_handles), movable = 0;
-	for (k = 0; k < used && r->what == NULL; ++k) {
-		if (!cni_handles_alive(&world->body_handles, k))
-			continue;
+	int32_t k, movable = 0;
+	for (k = cni_handles_next(&world->body_handles, 0); k != CNI_NONE && r->what == NULL; k = cni_handles_next(&world->body_handles, k + 1)) {
 		check_body(r, k);
 		movable += cni_body_at(world, k)->type != CN_BODY_STATIC;
 	}
@@ -276,11 +274,9 @@ static void check_joint(report *r, int32_t joint)
 static void check_joints(report *r)
 {
 	const cn_world *world = r->world;
-	int32_t k, used = cni_handles_used(&world->joint_handles), constraints = 0, ends = 0;
-	for (k = 0; k < used && r->what == NULL; ++k) {
+	int32_t k, constraints = 0, ends = 0;
+	for (k = cni_handles_next(&world->joint_handles, 0); k != CNI_NONE && r->what == NULL; k = cni_handles_next(&world->joint_handles, k + 1)) {
 		const cni_joint *j = cni_joint_at(world, k);
-		if (!cni_handles_alive(&world->joint_handles, k))
-			continue;
 		constraints += cni_joint_is_constraint(j->type);
 		ends += (j->body[0] != CNI_NONE) + (j->body[1] != CNI_NONE);
 		check_joint(r, k);
@@ -296,9 +292,9 @@ static void check_joints(report *r)
 static void check_shapes(report *r)
 {
 	const cn_world *world = r->world;
-	int32_t k, used = cni_handles_used(&world->shape_handles), attached = 0;
-	for (k = 0; k < used; ++k)
-		attached += cni_handles_alive(&world->shape_handles, k) && cni_shape_at(world, k)->body != CNI_NONE;
+	int32_t k, attached = 0;
+	for (k = cni_handles_next(&world->shape_handles, 0); k != CNI_NONE; k = cni_handles_next(&world->shape_handles, k + 1))
+		attached += cni_shape_at(world, k)->body != CNI_NONE;
 	expect(r, attached == r->shapes, "shapes in lists of bodies", attached);
 }
 
