@@ -87,7 +87,7 @@ static int32_t body_accelerates(const cni_body *b, const cni_motion *m, const cn
 		return !(b->flags & CNI_BODY_IN_AREA) && (ax != 0.0f || ay != 0.0f);
 	dx = m->vx - start->vx + ax;
 	dy = m->vy - start->vy + ay;
-	return dx * dx + dy * dy > 0.01f * (ax * ax + ay * ay);
+	return dx * dx + dy * dy > CNI_REST_CHANGE_PART * CNI_REST_CHANGE_PART * (ax * ax + ay * ay);
 }
 
 /* Sum of speed gains without the effect of damping: damping brings a body to rest and never reverses it. */

@@ -127,7 +127,7 @@ CNI_INLINE cni_mask lanes_accelerate(const cn_world *world, int32_t k, const bod
 	ay = step * ay;
 	dx = f->vx - start_x + ax;
 	dy = f->vy - start_y + ay;
-	return (is_free & ((ax != zero) | (ay != zero))) | (~is_free & (dx * dx + dy * dy > cni_wide_of(0.01f) * (ax * ax + ay * ay)));
+	return (is_free & ((ax != zero) | (ay != zero))) | (~is_free & (dx * dx + dy * dy > cni_wide_of(CNI_REST_CHANGE_PART * CNI_REST_CHANGE_PART) * (ax * ax + ay * ay)));
 }
 
 typedef struct rest_state {

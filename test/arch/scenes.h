@@ -18,14 +18,14 @@ typedef struct arch_scene {
 
 #define ARCH_SCENES 8
 static const arch_scene arch_scenes[ARCH_SCENES] = {
-	{ "shapes", scene_shapes, 0xbcb0b7b1f1d881c4 },
-	{ "joints", scene_joints, 0xe6615275ba0957bb },
+	{ "shapes", scene_shapes, 0x7b0fac6cf147214d },
+	{ "joints", scene_joints, 0xf4dcf2c8d683f85e },
 	{ "direct", scene_direct, 0x0ff356e57fdb49ac },
 	{ "tiers", scene_tiers, 0x2c313c62ed86e657 },
 	{ "sequential", scene_sequential, 0x6bc77927e99d3264 },
-	{ "queries", scene_queries, 0x9c2fbb37ad6351c2 },
-	{ "events", scene_events, 0x4f1607db554eca07 },
-	{ "file", scene_file, 0x30f5e5a5aa16659c },
+	{ "queries", scene_queries, 0x8eabe7465e38d7f6 },
+	{ "events", scene_events, 0x5f9d7f58b907c9ff },
+	{ "file", scene_file, 0xa84873a675fc2947 },
 };
 
 /* The number of a scene; 0 if a call failed: arch_failed_line. */

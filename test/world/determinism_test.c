@@ -24,11 +24,11 @@ typedef struct golden {
 
 /* clang-format off */
 static const golden goldens[] = {
-	{ "falling_hinges", 480, 1, 0x77b02b12b7231510 },
-	{ "small_200", 300, 1, 0x896a8cc205aecd7a },
-	{ "small_50_sleep", 600, 1, 0xda365271727b526e },
-	{ "dominoes", 400, 1, 0xfedb70cb054a3397 },
-	{ "ragdolls", 480, 1, 0xbb96b7ef96c96033 },
+	{ "falling_hinges", 480, 1, 0x5c51d2222ed4c5bb },
+	{ "small_200", 300, 1, 0x5e2928dd23331581 },
+	{ "small_50_sleep", 600, 1, 0x9c498c7e617efa46 },
+	{ "dominoes", 400, 1, 0x5ec7b2b1b4254a68 },
+	{ "ragdolls", 480, 1, 0xf903add14209a4f7 },
 	{ "bridge", 240, 1, 0x1a57f9f92777a8a6 },
 	{ "car", 400, 1, 0x35bbc78061653ee5 },
 	{ "mixer", 240, 1, 0x8b9baf2a92db7676 },

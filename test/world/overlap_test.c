@@ -1,10 +1,11 @@
 /*
  * overlap_test - promises: heaps that were poured between two walls come to rest without overlaps, and fall asleep; what is too long to lie
- * between two walls is not pushed through one of them.
+ * between two walls is not pushed through one of them; heaps of short chains fall asleep.
  *
- * If a test here fails, look in step/overlap_projection.c.
+ * If a test here fails, look in step/overlap_projection.c; if the last one fails, at body_accelerates in step/finalize.c.
  */
 #include "fixture.h"
+#include "joints.h"
 
 #define BODIES 100
 #define HALF_WIDTH 2.4f
@@ -19,17 +20,17 @@ static void walls(cn_world *world, float half_width)
 }
 
 /* kind 0: a ball, 1: a capsule, 2: a box, 3: one of these. */
-static cn_body thing(cn_world *world, int32_t kind, float x, float y, float size, float angle)
+static cn_body thing(cn_world *world, int32_t kind, float x, float y, float size, float angle, float friction)
 {
 	cn_body body;
 	cn_shape_def def;
 	cn_capsule capsule = { { 0.0f, 0.0f }, { 0.0f, 0.0f }, 0.0f };
 	if (kind % 3 == 0)
-		return fixture_circle(world, CN_BODY_DYNAMIC, x, y, size, 0.7f, 0.0f);
+		return fixture_circle(world, CN_BODY_DYNAMIC, x, y, size, friction, 0.0f);
 	if (kind % 3 == 2)
-		return fixture_box(world, CN_BODY_DYNAMIC, x, y, angle, size, 0.7f * size, 0.7f, 0.0f);
+		return fixture_box(world, CN_BODY_DYNAMIC, x, y, angle, size, 0.7f * size, friction, 0.0f);
 	body = fixture_body(world, CN_BODY_DYNAMIC, x, y, angle);
-	def = fixture_shape_def(body, 0.7f, 0.0f);
+	def = fixture_shape_def(body, friction, 0.0f);
 	capsule.a_m.x = -1.3f * size;
 	capsule.b_m.x = 1.3f * size;
 	capsule.radius_m = 0.35f * size;
@@ -48,7 +49,7 @@ static float pour(int32_t kind, uint32_t seed, int32_t *asleep)
 	walls(world, HALF_WIDTH);
 	for (k = 0; k < BODIES; ++k) {
 		float x = -1.8f + 1.2f * (float)(k % 4) + fixture_random(&random, -0.15f, 0.15f), size = fixture_random(&random, 0.2f, 0.3f);
-		bodies[k] = thing(world, kind < 3 ? kind : k, x, 0.6f + (float)(k / 4), size, fixture_random(&random, 0.0f, 3.0f));
+		bodies[k] = thing(world, kind < 3 ? kind : k, x, 0.6f + (float)(k / 4), size, fixture_random(&random, 0.0f, 3.0f), 0.7f);
 	}
 	fixture_step(world, 1200);
 	deepest = fixture_penetration(world, bodies, BODIES);
@@ -96,10 +97,52 @@ static void t_nothing_is_pushed_through_walls(void)
 	cn_world_destroy(world);
 }
 
+static void chain(cn_world *world, uint32_t *random, float x, float y)
+{
+	int32_t k, links = 2 + (int32_t)fixture_random(random, 0.0f, 2.999f);
+	float size = fixture_random(random, 0.1f, 0.15f);
+	cn_body last = 0;
+	for (k = 0; k < links; ++k) {
+		cn_body body = thing(world, 1 + k % 2, x + 3.3f * size * (float)k, y, size, 0.0f, 0.4f);
+		if (k > 0) {
+			cn_revolute_def def = revolute_def(last, at(1.65f * size, 0.0f), body, at(-1.65f * size, 0.0f));
+			def.base.flags |= CN_JOINT_LIMIT;
+			def.lower_angle_rad = -1.0f;
+			def.upper_angle_rad = 1.0f;
+			(void)make_revolute(world, &def);
+		}
+		last = body;
+	}
+}
+
+static int32_t chains_sleep(uint32_t seed)
+{
+	cn_world *world = fixture_world(-10.0f, 1);
+	uint32_t random = seed * 2654435761u + 1u;
+	int32_t k, asleep;
+	walls(world, HALF_WIDTH);
+	for (k = 0; k < 60; ++k)
+		chain(world, &random, -1.8f + 1.2f * (float)(k % 3), 0.6f + 0.6f * (float)(k / 3));
+	fixture_step(world, 1200);
+	asleep = fixture_counters(world).bodies_awake == 0;
+	cn_world_destroy(world);
+	return asleep;
+}
+
+static void t_heaps_of_chains_fall_asleep(void)
+{
+	uint32_t seed;
+	int32_t asleep = 0;
+	for (seed = 1; seed <= 20; ++seed)
+		asleep += chains_sleep(seed);
+	CHECK_GE("heaps of 20 that sleep after 20 s", asleep, 13, "");
+}
+
 int main(int argc, char **argv)
 {
 	test_begin(argc, argv);
 	RUN(t_heaps_rest_without_overlaps);
 	RUN(t_nothing_is_pushed_through_walls);
+	RUN(t_heaps_of_chains_fall_asleep);
 	return test_end();
 }
