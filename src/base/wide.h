@@ -42,6 +42,8 @@ CNI_INLINE cni_mask cni_mask_of_zero(const int32_t *p) { return *p == 0; }
 typedef float cni_wide __attribute__((vector_size(CNI_WIDTH * 4)));
 typedef float cni_wide_loose __attribute__((vector_size(CNI_WIDTH * 4), aligned(4), may_alias)); /* rows end in flags or counts */
 typedef int32_t cni_mask __attribute__((vector_size(CNI_WIDTH * 4)));
+typedef float cni_wide4 __attribute__((vector_size(16)));
+typedef float cni_wide4_loose __attribute__((vector_size(16), aligned(4), may_alias));
 
 CNI_INLINE cni_wide cni_wide_load(const float *p) { return *(const cni_wide *)(const void *)p; }
 /* Unaligned load. */
@@ -148,20 +150,45 @@ CNI_INLINE cni_wide cni_wide_gather_from(const float *const *records, size_t off
 
 #if CNI_WIDTH == 1
 
-typedef struct cni_wide4 { float x, y, z, w; } cni_wide4;
-CNI_INLINE cni_wide4 cni_wide4_load(const float *p) { return (cni_wide4){ p[0], p[1], p[2], p[3] }; }
-CNI_INLINE cni_wide4 cni_wide4_load_loose(const float *p) { return cni_wide4_load(p); }
-CNI_INLINE void cni_wide4_store(float *p, cni_wide4 a) { p[0] = a.x; p[1] = a.y; p[2] = a.z; p[3] = a.w; }
-CNI_INLINE void cni_wide4_store_loose(float *p, cni_wide4 a) { cni_wide4_store(p, a); }
+CNI_INLINE void cni_wide_gather4(const float *base, int32_t stride, const int32_t *index, cni_wide *a, cni_wide *b, cni_wide *c, cni_wide *d)
+{
+	const float *r = base + (size_t)index[0] * (size_t)stride;
+	*a = r[0];
+	*b = r[1];
+	*c = r[2];
+	*d = r[3];
+}
+CNI_INLINE void cni_wide_gather4_from(const float *const *records, int32_t offset, cni_wide *a, cni_wide *b, cni_wide *c, cni_wide *d)
+{
+	const float *r = records[0] + offset;
+	*a = r[0];
+	*b = r[1];
+	*c = r[2];
+	*d = r[3];
+}
+CNI_INLINE void cni_wide_scatter4(float *base, int32_t stride, const int32_t *index, cni_wide a, cni_wide b, cni_wide c, cni_wide d)
+{
+	float *r = base + (size_t)index[0] * (size_t)stride;
+	r[0] = a;
+	r[1] = b;
+	r[2] = c;
+	r[3] = d;
+}
+CNI_INLINE void cni_wide_scatter4_to(float *const *records, int32_t offset, cni_wide a, cni_wide b, cni_wide c, cni_wide d)
+{
+	float *r = records[0] + offset;
+	r[0] = a;
+	r[1] = b;
+	r[2] = c;
+	r[3] = d;
+}
+CNI_INLINE void cni_wide_scatter4_where(float *base, int32_t stride, const int32_t *index, uint32_t lanes, cni_wide a, cni_wide b, cni_wide c, cni_wide d)
+{
+	if (lanes & 1u)
+		cni_wide_scatter4(base, stride, index, a, b, c, d);
+}
 
 #else
-
-typedef float cni_wide4 __attribute__((vector_size(16)));
-typedef float cni_wide4_loose __attribute__((vector_size(16), aligned(4), may_alias));
-CNI_INLINE cni_wide4 cni_wide4_load(const float *p) { return *(const cni_wide4 *)(const void *)p; }
-CNI_INLINE cni_wide4 cni_wide4_load_loose(const float *p) { return *(const cni_wide4_loose *)(const void *)p; }
-CNI_INLINE void cni_wide4_store(float *p, cni_wide4 a) { *(cni_wide4 *)(void *)p = a; }
-CNI_INLINE void cni_wide4_store_loose(float *p, cni_wide4 a) { *(cni_wide4_loose *)(void *)p = a; }
 
 /* Rows become columns: a 4 x 4 transpose in place. */
 CNI_INLINE void cni_wide_transpose(cni_wide4 *a, cni_wide4 *b, cni_wide4 *c, cni_wide4 *d)
@@ -172,6 +199,11 @@ CNI_INLINE void cni_wide_transpose(cni_wide4 *a, cni_wide4 *b, cni_wide4 *c, cni
 	*b = __builtin_shufflevector(ab_low, cd_low, 2, 3, 6, 7);
 	*c = __builtin_shufflevector(ab_high, cd_high, 0, 1, 4, 5);
 	*d = __builtin_shufflevector(ab_high, cd_high, 2, 3, 6, 7);
+}
+
+CNI_INLINE cni_wide4 cni_wide4_at(const float *base, int32_t stride, int32_t index)
+{
+	return *(const cni_wide4 *)(const void *)(base + (size_t)index * (size_t)stride);
 }
 
 #if CNI_WIDTH == 8
@@ -210,17 +242,10 @@ CNI_INLINE void cni_wide_transpose8(cni_wide *a, cni_wide *b, cni_wide *c, cni_w
 
 #endif
 
-#endif
-
 /* CNI_WIDTH rows of four become four columns. */
 CNI_INLINE void cni_wide_columns(cni_wide4 r[CNI_WIDTH], cni_wide *a, cni_wide *b, cni_wide *c, cni_wide *d)
 {
-#if CNI_WIDTH == 1
-	*a = r[0].x;
-	*b = r[0].y;
-	*c = r[0].z;
-	*d = r[0].w;
-#elif CNI_WIDTH == 4
+#if CNI_WIDTH == 4
 	*a = r[0];
 	*b = r[1];
 	*c = r[2];
@@ -240,7 +265,7 @@ CNI_INLINE void cni_wide_gather4(const float *base, int32_t stride, const int32_
 	cni_wide4 r[CNI_WIDTH];
 	int32_t l;
 	for (l = 0; l < CNI_WIDTH; ++l)
-		r[l] = cni_wide4_load(base + (size_t)index[l] * (size_t)stride);
+		r[l] = cni_wide4_at(base, stride, index[l]);
 	cni_wide_columns(r, a, b, c, d);
 }
 
@@ -250,16 +275,14 @@ CNI_INLINE void cni_wide_gather4_from(const float *const *records, int32_t offse
 	cni_wide4 r[CNI_WIDTH];
 	int32_t l;
 	for (l = 0; l < CNI_WIDTH; ++l)
-		r[l] = cni_wide4_load_loose(records[l] + offset);
+		r[l] = *(const cni_wide4_loose *)(const void *)(records[l] + offset);
 	cni_wide_columns(r, a, b, c, d);
 }
 
 /* Four columns become CNI_WIDTH rows of four. */
 CNI_INLINE void cni_wide_rows(cni_wide4 r[CNI_WIDTH], cni_wide a, cni_wide b, cni_wide c, cni_wide d)
 {
-#if CNI_WIDTH == 1
-	r[0] = (cni_wide4){ a, b, c, d };
-#elif CNI_WIDTH == 4
+#if CNI_WIDTH == 4
 	cni_wide_transpose(&a, &b, &c, &d);
 	r[0] = a;
 	r[1] = b;
@@ -284,7 +307,7 @@ CNI_INLINE void cni_wide_scatter4(float *base, int32_t stride, const int32_t *in
 	int32_t l;
 	cni_wide_rows(r, a, b, c, d);
 	for (l = 0; l < CNI_WIDTH; ++l)
-		cni_wide4_store(base + (size_t)index[l] * (size_t)stride, r[l]);
+		*(cni_wide4 *)(void *)(base + (size_t)index[l] * (size_t)stride) = r[l];
 }
 
 /* The same to records at any address: floats offset .. offset + 3 of each. */
@@ -294,21 +317,8 @@ CNI_INLINE void cni_wide_scatter4_to(float *const *records, int32_t offset, cni_
 	int32_t l;
 	cni_wide_rows(r, a, b, c, d);
 	for (l = 0; l < CNI_WIDTH; ++l)
-		cni_wide4_store_loose(records[l] + offset, r[l]);
+		*(cni_wide4_loose *)(void *)(records[l] + offset) = r[l];
 }
-
-/* As cni_wide_scatter4, only for the lanes whose bits are set; the other records are not written. */
-CNI_INLINE void cni_wide_scatter4_where(float *base, int32_t stride, const int32_t *index, uint32_t lanes, cni_wide a, cni_wide b, cni_wide c, cni_wide d)
-{
-	cni_wide4 r[CNI_WIDTH];
-	int32_t l;
-	cni_wide_rows(r, a, b, c, d);
-	for (l = 0; l < CNI_WIDTH; ++l)
-		if (lanes >> l & 1u)
-			cni_wide4_store(base + (size_t)index[l] * (size_t)stride, r[l]);
-}
-
-#if CNI_WIDTH > 1
 
 /* Writes floats 0 and 1 of a to the first record, floats 2 and 3 to the second. */
 CNI_INLINE void cni_wide_pair_to(float *first, float *second, cni_wide4 a)
@@ -337,6 +347,17 @@ CNI_INLINE void cni_wide_scatter2_to(float *const *records, int32_t offset, cni_
 	cni_wide_pair_to(records[4] + offset, records[5] + offset, cni_wide_high(low));
 	cni_wide_pair_to(records[6] + offset, records[7] + offset, cni_wide_high(high));
 #endif
+}
+
+/* As cni_wide_scatter4, only for the lanes whose bits are set; the other records are not written. */
+CNI_INLINE void cni_wide_scatter4_where(float *base, int32_t stride, const int32_t *index, uint32_t lanes, cni_wide a, cni_wide b, cni_wide c, cni_wide d)
+{
+	cni_wide4 r[CNI_WIDTH];
+	int32_t l;
+	cni_wide_rows(r, a, b, c, d);
+	for (l = 0; l < CNI_WIDTH; ++l)
+		if (lanes >> l & 1u)
+			*(cni_wide4 *)(void *)(base + (size_t)index[l] * (size_t)stride) = r[l];
 }
 
 #endif
