@@ -188,7 +188,7 @@ static int32_t step_soft(cn_world *world, float dt, uint64_t *mark)
 		cni_direct_prepare(world, &s, &direct);
 	if (CNI_HAS_DIRECT && CNI_ON(GRAVITY_PRELOAD))
 		cni_gravity_preload(world, &s);
-	if (CNI_ON(OVERLAP_PROJECTION))
+	if (CNI_HAS_DIRECT && CNI_ON(OVERLAP_PROJECTION))
 		cni_stage_project_overlaps(world, &s);
 	if (has_direct(&s))
 		cni_rattle_run(world, &s);

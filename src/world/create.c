@@ -323,7 +323,7 @@ static int32_t islands_for(int32_t bodies)
 static uint64_t solver_bytes(const cn_world_def *d)
 {
 	uint64_t bytes = 0;
-	if (CNI_ON(OVERLAP_PROJECTION)) /* takes more than gravity preload */
+	if (CNI_HAS_DIRECT && CNI_ON(OVERLAP_PROJECTION)) /* takes more than gravity preload */
 		bytes += cni_project_overlaps_bytes(d->body_capacity, islands_for(d->body_capacity), touching_of(d));
 	else if (CNI_HAS_DIRECT && d->solver == CN_SOLVER_AUTO)
 		bytes += cni_gravity_preload_bytes(d->body_capacity);
