@@ -105,7 +105,7 @@ static int32_t islands_make(projection *p)
 		p->world->warnings |= CN_WARNING_FRAME_MEMORY;
 		return 0;
 	}
-	memset(p->islands, 0, bytes);
+	memset(p->islands, 0, (size_t)bytes);
 	return 1;
 }
 
