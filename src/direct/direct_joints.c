@@ -164,6 +164,29 @@ static int32_t is_torn(const cn_world *world, const cni_sparse *sparse, const cn
 	return 0;
 }
 
+/* Is the joint beyond a limit under thousands of weights? */
+static int32_t is_forced(const cn_world *world, const cni_solve *s, const cni_joint_constraint *w)
+{
+	int32_t i, beyond = 0;
+	float sum = 0.0f;
+	for (i = w->rigid_count; i < w->row_count; ++i)
+		beyond |= w->rows[i].kind == CNI_ROW_LIMIT && w->rows[i].error < -CNI_LIMIT_FORCED;
+	for (i = 0; beyond && i < w->row_count; ++i)
+		sum += cni_abs(w->record->impulse[w->rows[i].slot]);
+	return beyond && cni_direct_soft_part(world, sum, w->ia, w->ib, s->h) < 0.1f;
+}
+
+/* A component whose joints contradict each other: pins hold a part beyond its limit. Impulses of exact joints would grow in each step, and
+   throw it when it is let go. */
+static int32_t is_contradictory(const cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c)
+{
+	int32_t k;
+	for (k = c->begin; k < c->end && !c->has_contacts; ++k)
+		if (is_forced(world, s, cni_joint_constraints(world) + sparse->nodes[k].owner))
+			return 1;
+	return 0;
+}
+
 /* RATTLE, or the passes of a substep where joints to fixed bodies say nearly the same, as those of coupled wheels on fixed axles, or of a
    straight bridge, whose planks no joint keeps from moving across it by a hair: RATTLE divides by what is left of them. A loop that flies
    freely turns at rest in itself, and stays with RATTLE. */
@@ -215,7 +238,7 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 		if (is_torn(world, out, c)) {
 			impulses_soften(world, s, out, c);
 			cni_component_release(world, out, c);
-		} else if (loop_is_better_soft(world, out, c)) {
+		} else if (is_contradictory(world, s, out, c) || loop_is_better_soft(world, out, c)) {
 			impulses_soften(world, s, out, c);
 			cni_component_suspend(world, out, c, CNI_TRUST_MOST);
 		} else if (c->body_begin == c->body_end || is_better_alone(c))

@@ -752,6 +752,45 @@ static void welded_arches_bear_themselves(void)
 	CHECK_LE("arches of 144 that break under ten times their weight", broken, 0, "");
 }
 
+/* Two beams; the first is pinned to the ground, beyond its limit by so many radians, and the second, static, holds it there. Returns the greatest
+   speed after the second is let go, m/s. */
+static double forced_arm_speed(float beyond, int32_t steps, int32_t solver)
+{
+	scene s = scene_open(0.0f, 0, solver);
+	cn_body parts[2];
+	cn_revolute_def def;
+	double fastest = 0.0;
+	int32_t k;
+	parts[0] = beam(&s, 0.3f, 0.0f, 0.0f, 0.3f, 0.05f);
+	parts[1] = beam(&s, 0.9f, 0.0f, 0.0f, 0.3f, 0.05f);
+	must(cn_body_set_type(s.world, parts[1], CN_BODY_STATIC), s.world, "cn_body_set_type");
+	def = revolute_def(0, at(0.0f, 0.0f), parts[0], at(-0.3f, 0.0f));
+	def.base.flags |= CN_JOINT_LIMIT;
+	def.lower_angle_rad = beyond;
+	def.upper_angle_rad = beyond + 1.0f;
+	(void)make_revolute(s.world, &def);
+	pin(&s, parts[0], at(0.3f, 0.0f), parts[1], at(-0.3f, 0.0f));
+	fixture_step(s.world, steps);
+	must(cn_body_set_type(s.world, parts[1], CN_BODY_DYNAMIC), s.world, "cn_body_set_type");
+	for (k = 0; k < 3; ++k) {
+		fixture_step(s.world, 1);
+		fastest = fmax(fastest, fastest_of(&s, parts, 2));
+	}
+	scene_close(&s);
+	return fastest;
+}
+
+static void what_is_held_beyond_a_limit_is_let_go_calmly(void)
+{
+	static const int32_t steps[] = { 1, 2, 30, 300 };
+	double worst = 0.0;
+	int32_t k, i;
+	for (k = 1; k <= 6; ++k)
+		for (i = 0; i < 4; ++i)
+			worst = fmax(worst, forced_arm_speed(0.1f * (float)k, steps[i], CN_SOLVER_AUTO) / forced_arm_speed(0.1f * (float)k, steps[i], CN_SOLVER_SOFT));
+	CHECK_LE("speed of an arm that was held beyond its limit / with soft constraints", worst, 1.1, "");
+}
+
 int main(void)
 {
 	RUN(chains_whip);
@@ -769,5 +808,6 @@ int main(void)
 	RUN(coupled_wheels_turn_on);
 	RUN(straight_bridges_rest);
 	RUN(welded_arches_bear_themselves);
+	RUN(what_is_held_beyond_a_limit_is_let_go_calmly);
 	return test_end();
 }
