@@ -756,7 +756,7 @@ static void welded_arches_bear_themselves(void)
    speed after the second is let go, m/s. */
 static double forced_arm_speed(float beyond, int32_t steps, int32_t solver)
 {
-	scene s = scene_open(0.0f, 0, solver);
+	scene s = scene_open(0.0, 0, solver);
 	cn_body parts[2];
 	cn_revolute_def def;
 	double fastest = 0.0;
