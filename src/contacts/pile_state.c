@@ -5,11 +5,16 @@
 #include "contacts/contacts.h"
 #include "model/tuning.h"
 
-int32_t cni_body_is_quiet(const cn_world *world, const cni_body *b)
+int32_t cni_body_is_slower(const cn_world *world, const cni_body *b, float most)
 {
 	const cni_motion *m = cni_motions(world) + b->awake;
-	float most = CNI_PILE_QUIET_SPEED * world->settings.length_unit, turn = m->w * b->extent;
+	float turn = m->w * b->extent;
 	return m->vx * m->vx + m->vy * m->vy <= most * most && turn * turn <= most * most;
+}
+
+int32_t cni_body_is_quiet(const cn_world *world, const cni_body *b)
+{
+	return cni_body_is_slower(world, b, CNI_PILE_QUIET_SPEED * world->settings.length_unit);
 }
 
 int32_t cni_island_is_quiet(const cn_world *world, const cni_island *i)

@@ -187,23 +187,32 @@ CNI_INLINE void anchor_write_kind(const cni_contact *c, int32_t ib, cni_block_in
 	info->points_of_b = (cni_lane_bits)cni_bits_with(info->points_of_b, l, face ? of_b ^ incident : ib == 0);
 }
 
+/* Keeps the normal in the frame of lane body a, or of b, whose rotation is q. */
+CNI_INLINE void normal_keep(cni_block_info *info, cni_block_anchor *anchor, uint32_t l, uint32_t of_b, cni_rot q, cni_vec2 normal)
+{
+	cni_vec2 n = cni_unrotate(q, normal);
+	info->of_b = (cni_lane_bits)cni_bits_with(info->of_b, l, of_b);
+	anchor->x.nx[l] = n.x;
+	anchor->ny[l] = n.y;
+}
+
 /* Writes the anchor, after the lane's rows. */
 CNI_INLINE void anchor_write(cn_world *world, const cni_contact *c, const cni_contact_block *block, cni_block_info *info, const lane_frame *f, int32_t points, float gap)
 {
-	uint32_t slot = (uint32_t)c->slot, l = slot % CNI_LANES;
+	uint32_t slot = (uint32_t)c->slot, l = slot % CNI_LANES, of_b;
 	cni_block_anchor *anchor = cni_block_anchor_at(world, (int32_t)(slot / CNI_LANES));
 	cni_rot turn;
-	cni_vec2 n;
 	float centers;
-	anchor_write_kind(c, block->ib[l], info, l, points);
-	n = cni_unrotate(info->of_b >> l & 1u ? f->b->q : f->a->q, f->n);
-	anchor->x.nx[l] = n.x;
-	anchor->ny[l] = n.y;
 	if (gap != 0.0f || !may_be_reused(world, c, info, f)) {
 		cni_lane_invalidate(world, c->slot);
 		anchor->of.fresh.gap[l] = gap;
+		if (points == 2 && block->ib[l] != 0)
+			normal_keep(info, anchor, l, 0, f->a->q, f->n); /* for lane_normal */
 		return;
 	}
+	anchor_write_kind(c, block->ib[l], info, l, points);
+	of_b = info->of_b >> l & 1u;
+	normal_keep(info, anchor, l, of_b, of_b ? f->b->q : f->a->q, f->n);
 	turn = cni_rot_between(f->a->q, f->b->q);
 	centers = cni_dot(f->d, f->n);
 	info->anchored = (uint16_t)(info->anchored | 1u << l);
@@ -487,6 +496,9 @@ void cni_contact_sleep_to_lane(cn_world *world, int32_t contact)
 	cni_contact_sleep_lane_free(world, c);
 	cni_lane_take(world, contact);
 	lane_write(world, c, &s);
+	if (cni_block_at(world, c->slot / CNI_LANES)->ib[c->slot % CNI_LANES] != 0)
+		normal_keep(cni_block_info_at(world, c->slot / CNI_LANES), cni_block_anchor_at(world, c->slot / CNI_LANES), (uint32_t)c->slot % CNI_LANES, 0,
+			cni_body_at(world, c->body[(c->flags & CNI_CONTACT_FLIPPED) != 0])->q, cni_v(s.rows[ROW_NX], s.rows[ROW_NY]));
 	if (!world->events.in_step)
 		c->flags |= CNI_CONTACT_ENTERED; /* no STAY for the last step: it slept */
 	cni_contact_mark_sums(world, c);

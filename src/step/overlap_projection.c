@@ -67,15 +67,9 @@ typedef struct projection {
 
 /* ---- which islands ---- */
 
-static int32_t body_is_still(const cn_world *world, const cni_body *b)
-{
-	float most = world->settings.sleep_speed, turn = b->w * b->extent;
-	return b->vx * b->vx + b->vy * b->vy <= most * most && turn * turn <= most * most;
-}
-
 static int32_t body_is_projected(const cn_world *world, const cni_body *b)
 {
-	return b->joint_first == CNI_NONE && !(b->flags & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y)) && body_is_still(world, b);
+	return b->joint_first == CNI_NONE && !(b->flags & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y)) && cni_body_is_slower(world, b, world->settings.sleep_speed);
 }
 
 static int32_t island_is_projected(const projection *p, int32_t island)

@@ -24,8 +24,8 @@ static const arch_scene arch_scenes[ARCH_SCENES] = {
 	{ "tiers", scene_tiers, 0x2c313c62ed86e657 },
 	{ "sequential", scene_sequential, 0x6bc77927e99d3264 },
 	{ "queries", scene_queries, 0x8eabe7465e38d7f6 },
-	{ "events", scene_events, 0x5f9d7f58b907c9ff },
-	{ "file", scene_file, 0xa84873a675fc2947 },
+	{ "events", scene_events, 0x6da80ced72fbe7a0 },
+	{ "file", scene_file, 0xffd2bf6213c52f37 },
 };
 
 /* The number of a scene; 0 if a call failed: arch_failed_line. */

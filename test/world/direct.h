@@ -158,4 +158,52 @@ static inline void watch_steps(watch *w, scene *s, int32_t steps)
 	}
 }
 
+static inline cn_body weighing(scene *s, cn_body body, float mass)
+{
+	weigh(s, body, mass / mass_of(s->world, body).mass_kg);
+	return keep(s, body);
+}
+
+/* Collides with nothing. */
+static inline cn_body ball(scene *s, float x, float radius, float mass)
+{
+	cn_body body = fixture_body(s->world, CN_BODY_DYNAMIC, x, 0.0f, 0.0f);
+	cn_shape_def def = fixture_shape_def(body, 0.5f, 0.0f);
+	cn_circle circle = { { 0.0f, 0.0f }, 0.0f };
+	circle.radius_m = radius;
+	def.filter.group = -1;
+	must(cn_shape_create_circle(s->world, &def, &circle, NULL), s->world, "cn_shape_create_circle");
+	return weighing(s, body, mass);
+}
+
+/* Beams do not collide with each other. */
+static inline cn_body beam(scene *s, float x, float y, float angle, float half_x, float half_y)
+{
+	cn_body body = fixture_body(s->world, CN_BODY_DYNAMIC, x, y, angle);
+	cn_shape_def def = fixture_shape_def(body, 0.6f, 0.0f);
+	def.filter.group = -1;
+	fixture_box_shape(s->world, &def, half_x, half_y);
+	return keep(s, body);
+}
+
+static inline void pin_at(scene *s, cn_body a, cn_body b, float x, float y)
+{
+	cn_vec2 local_a, local_b;
+	must(cn_body_get_local_point(s->world, a, x, y, &local_a), s->world, "cn_body_get_local_point");
+	must(cn_body_get_local_point(s->world, b, x, y, &local_b), s->world, "cn_body_get_local_point");
+	(void)hinge(s->world, a, local_a, b, local_b);
+}
+
+static inline double fastest_of(const scene *s, const cn_body *bodies, int32_t count)
+{
+	double fastest = 0.0;
+	int32_t k;
+	for (k = 0; k < count; ++k) {
+		cn_velocity v;
+		must(cn_body_get_velocity(s->world, bodies[k], &v), s->world, "cn_body_get_velocity");
+		fastest = fmax(fastest, hypot((double)v.linear_mps.x, (double)v.linear_mps.y));
+	}
+	return fastest;
+}
+
 #endif

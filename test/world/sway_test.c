@@ -192,6 +192,13 @@ static void t_reported_separations_are_true(void)
 	}
 	CHECK_LE("points that are not reported", 240 - seen, 0, "");
 	CHECK_LE("reported separation", (double)depth, 2e-3, "m");
+	fixture_step(world, 300);
+	CHECK_LE("bodies that are awake", fixture_counters(world).bodies_awake, 0, "");
+	must(cn_body_set_awake(world, high, 1), world, "cn_body_set_awake");
+	must(cn_body_get_contacts(world, high, contacts, 4, &count), world, "cn_body_get_contacts");
+	for (k = 0; k < count; ++k)
+		depth = fmaxf(depth, fmaxf(fabsf(contacts[k].manifold.points[0].separation_m), fabsf(contacts[k].manifold.points[1].separation_m)));
+	CHECK_LE("... of bodies that were woken", (double)depth, 2e-3, "m");
 	cn_world_destroy(world);
 }
 
