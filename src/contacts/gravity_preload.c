@@ -360,7 +360,7 @@ static int32_t pile_preload(pile *q)
 /* Are most contacts new, in an island that is quiet, without joints, and neither solved directly nor set to CN_SOLVER_SOFT? */
 static int32_t island_is_due(const cn_world *world, int32_t island)
 {
-	const cni_island *i = cni_island_at(world, island);
+	cni_island *i = cni_island_at(world, island);
 	return i->new_step == world->step_count + 1u && 2 * i->new_contacts >= i->count && i->tier != CNI_TIER_DIRECT &&
 	       i->solver != CN_SOLVER_SOFT && cni_island_is_quiet(world, i) && !cni_island_has_joints(world, island);
 }

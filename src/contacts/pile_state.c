@@ -5,26 +5,92 @@
 #include "contacts/contacts.h"
 #include "model/tuning.h"
 
-int32_t cni_body_is_slower(const cn_world *world, const cni_body *b, float most)
+static int32_t body_is_slower(const cn_world *world, const cni_body *b, cni_vec2 frame, float most)
 {
 	const cni_motion *m = cni_motions(world) + b->awake;
 	float turn = m->w * b->extent;
-	return m->vx * m->vx + m->vy * m->vy <= most * most && turn * turn <= most * most;
+	return cni_sq(m->vx - frame.x) + cni_sq(m->vy - frame.y) <= most * most && turn * turn <= most * most;
+}
+
+static int32_t bodies_are_slower(const cn_world *world, const cni_island *i, cni_vec2 frame, float most)
+{
+	int32_t body;
+	for (body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
+		if (!body_is_slower(world, cni_body_at(world, body), frame, most))
+			return 0;
+	return 1;
+}
+
+/* ---- what carries an island ---- */
+
+/* Does the body move without turning, and carry others? Stores its velocity. */
+static int32_t carries(const cn_world *world, int32_t body, cni_vec2 *velocity)
+{
+	const cni_body *b = body == CNI_NONE ? NULL : cni_body_at(world, body);
+	const cni_motion *m;
+	if (b == NULL || b->type != CN_BODY_KINEMATIC || b->awake == CNI_NONE)
+		return 0;
+	m = cni_motions(world) + b->awake;
+	*velocity = cni_v(m->vx, m->vy);
+	return m->w == 0.0f && (m->vx != 0.0f || m->vy != 0.0f);
+}
+
+static int32_t is_carried(const cn_world *world, const cni_body *b, cni_vec2 *velocity)
+{
+	int32_t key;
+	for (key = b->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1])
+		if (cni_contact_has_lane(cni_contact_of_key(world, key)) && carries(world, cni_contact_of_key(world, key)->body[1 - (key & 1)], velocity))
+			return 1;
+	for (key = b->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1])
+		if (carries(world, cni_joint_at(world, key >> 1)->body[1 - (key & 1)], velocity))
+			return 1;
+	return 0;
+}
+
+/* Bodies of a crowd move apart, which two of them show: what carries others is only looked for where all move together. */
+static cni_vec2 frame_find(const cn_world *world, const cni_island *i)
+{
+	const cni_body *first = cni_body_at(world, i->first);
+	const cni_motion *m = cni_motions(world) + first->awake;
+	cni_vec2 zero = { 0.0f, 0.0f }, velocity = zero;
+	int32_t body;
+	if (body_is_slower(world, first, zero, world->settings.sleep_speed) ||
+	    !bodies_are_slower(world, i, cni_v(m->vx, m->vy), 2.0f * CNI_PILE_QUIET_SPEED * world->settings.length_unit))
+		return zero;
+	for (body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
+		if (is_carried(world, cni_body_at(world, body), &velocity))
+			return velocity;
+	return zero;
+}
+
+cni_vec2 cni_island_frame(const cn_world *world, cni_island *i)
+{
+	if (i->frame_step != world->step_count + 1u) {
+		i->frame_step = world->step_count + 1u;
+		i->frame = frame_find(world, i);
+	}
+	return i->frame;
+}
+
+/* ---- speeds ---- */
+
+int32_t cni_island_is_slower(const cn_world *world, cni_island *i, float most)
+{
+	return bodies_are_slower(world, i, cni_island_frame(world, i), most);
+}
+
+int32_t cni_island_is_quiet(const cn_world *world, cni_island *i)
+{
+	return cni_island_is_slower(world, i, CNI_PILE_QUIET_SPEED * world->settings.length_unit);
 }
 
 int32_t cni_body_is_quiet(const cn_world *world, const cni_body *b)
 {
-	return cni_body_is_slower(world, b, CNI_PILE_QUIET_SPEED * world->settings.length_unit);
+	cni_vec2 zero = { 0.0f, 0.0f };
+	return body_is_slower(world, b, zero, CNI_PILE_QUIET_SPEED * world->settings.length_unit);
 }
 
-int32_t cni_island_is_quiet(const cn_world *world, const cni_island *i)
-{
-	int32_t body;
-	for (body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
-		if (!cni_body_is_quiet(world, cni_body_at(world, body)))
-			return 0;
-	return 1;
-}
+/* ---- islands and contacts ---- */
 
 int32_t cni_island_has_joints(const cn_world *world, int32_t island)
 {

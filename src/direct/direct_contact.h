@@ -144,6 +144,7 @@ typedef struct cni_direct_contact_pass {
 	int32_t kept;          /* 1: the kept set is acceptable if nothing better is found */
 	int32_t denied;        /* 1: other systems have spent what the step may spend */
 	float before;          /* twice the kinetic energy before the substep's impulses */
+	cni_vec2 frame;        /* cni_island_frame */
 } cni_direct_contact_pass;
 
 /* Sets the least speeds of the points, and opens friction where no point is active. */

@@ -9,6 +9,7 @@
  *
  * Reads and writes lanes of contact blocks, motion velocities, impulses of joint constraints.
  */
+#include "contacts/contacts.h"
 #include "direct/direct_contact.h"
 #include "direct/direct_system.h"
 #include "model/tuning.h"
@@ -103,8 +104,11 @@ static int32_t nothing_was_pushed(const cni_direct_contact_pass *q)
 
 /* ---- energy ---- */
 
-static float energy_at(const cni_motion *m, float vx, float vy, float w)
+/* Of a body, twice, in the frame of the island: there nothing that carries it does work. */
+static float energy_at(const cni_direct_contact_pass *q, const cni_motion *m, float vx, float vy, float w)
 {
+	vx -= q->frame.x;
+	vy -= q->frame.y;
 	return (m->inv_mass > 0.0f ? (vx * vx + vy * vy) / m->inv_mass : 0.0f) + (m->inv_inertia > 0.0f ? w * w / m->inv_inertia : 0.0f);
 }
 
@@ -115,7 +119,7 @@ static float energy_of(const cni_direct_contact_pass *q)
 	int32_t k;
 	for (k = q->c->body_begin; k < q->c->body_end; ++k) {
 		const cni_motion *m = q->motions + q->sparse->bodies[k];
-		sum += energy_at(m, m->vx, m->vy, m->w);
+		sum += energy_at(q, m, m->vx, m->vy, m->w);
 	}
 	return sum;
 }
@@ -127,7 +131,7 @@ static float energy_of_start(const cni_direct_contact_pass *q)
 	int32_t k;
 	for (k = q->c->body_begin; k < q->c->body_end; ++k) {
 		const cni_velocity_start *v = cni_starts(q->world) + q->sparse->bodies[k];
-		sum += energy_at(q->motions + q->sparse->bodies[k], v->vx, v->vy, v->w);
+		sum += energy_at(q, q->motions + q->sparse->bodies[k], v->vx, v->vy, v->w);
 	}
 	return sum;
 }
@@ -157,7 +161,7 @@ static int32_t was_moving(const cni_direct_contact_pass *q)
 	int32_t k;
 	for (k = q->c->body_begin; k < q->c->body_end; ++k) {
 		const cni_body *b = cni_body_at(q->world, cni_awake_ids(q->world)[q->sparse->bodies[k]]);
-		sum += energy_at(q->motions + q->sparse->bodies[k], b->vx, b->vy, b->w);
+		sum += energy_at(q, q->motions + q->sparse->bodies[k], b->vx, b->vy, b->w);
 	}
 	return sum > energy_of_rest(q);
 }
@@ -346,12 +350,13 @@ static void solution_accept(const cni_direct_contact_pass *q)
 int32_t cni_direct_contacts_solve(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c, int32_t bias)
 {
 	cni_direct_contact_pass q = { world, s, sparse, c, cni_motions(world), NULL, CNI_DIRECT_SPEED_LEAST * world->settings.length_unit,
-		bias, 0, CNI_CONTACT_SET_ROUNDS, !bias, 0, 0.0f };
+		bias, 0, CNI_CONTACT_SET_ROUNDS, !bias, 0, 0.0f, { 0.0f, 0.0f } };
 	int32_t shared = world->cone_work + world->set_work > 0;
 	if (!bias && c->nothing_pushed)
 		return 1;
 	c->cone_pushed &= !bias;
 	q.island = cni_island_at(world, cni_awake_island(world, sparse->bodies[c->body_begin]));
+	q.frame = cni_island_frame(world, q.island);
 	impulses_scale(&q);
 	state_save(&q, 0);
 	cni_direct_contact_round_begin(&q);

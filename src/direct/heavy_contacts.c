@@ -15,6 +15,7 @@
  *
  * Reads systems of joints, lanes; writes impulses and loads of lanes, velocities, impulses of joint constraints.
  */
+#include "contacts/contacts.h"
 #include "direct/direct_contact.h"
 #include "direct/direct_system.h"
 #include "model/tuning.h"
@@ -234,12 +235,15 @@ static int32_t may_break(const cn_world *world, const cni_sparse *sparse, const 
 static int32_t is_slow(const cn_world *world, const cni_sparse *sparse, const cni_component *c, int32_t batchable)
 {
 	float most = CNI_HEAVY_SLOW_SPEED * world->settings.length_unit;
-	int32_t k;
+	int32_t k, island = cni_awake_island(world, sparse->bodies[c->body_begin]);
+	cni_vec2 frame = { 0.0f, 0.0f };
 	if (batchable && blocks_of(sparse, c) > CNI_HEAVY_SLOW_BLOCKS)
 		return 0;
+	if (island != CNI_NONE)
+		frame = cni_island_frame(world, cni_island_at(world, island));
 	for (k = c->body_begin; k < c->body_end; ++k) {
 		const cni_motion *m = cni_motions(world) + sparse->bodies[k];
-		if (m->vx * m->vx + m->vy * m->vy > most * most)
+		if (cni_sq(m->vx - frame.x) + cni_sq(m->vy - frame.y) > most * most)
 			return 0;
 	}
 	return 1;

@@ -101,18 +101,19 @@ static void new_contact_count(cn_world *world, int32_t index)
 	++i->new_contacts;
 }
 
-static int32_t is_slow(const cn_world *world, int32_t index)
+/* Does the body move in the frame of its island no faster than a body that may sleep? */
+static int32_t is_slow(const cn_world *world, int32_t index, cni_vec2 frame)
 {
 	const cni_motion *m = cni_motions(world) + index;
-	return m->vx * m->vx + m->vy * m->vy <= world->settings.sleep_speed * world->settings.sleep_speed;
+	return cni_sq(m->vx - frame.x) + cni_sq(m->vy - frame.y) <= cni_sq(world->settings.sleep_speed);
 }
 
-/* 1: all its bodies are slow enough to sleep. */
-static int32_t island_is_still(const cn_world *world, const cni_island *i)
+static int32_t island_is_still(const cn_world *world, cni_island *i)
 {
+	cni_vec2 frame = cni_island_frame(world, i);
 	int32_t body;
 	for (body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
-		if (!is_slow(world, cni_body_at(world, body)->awake))
+		if (!is_slow(world, cni_body_at(world, body)->awake, frame))
 			return 0;
 	return 1;
 }
@@ -218,7 +219,12 @@ static int32_t may_be_stressed(const cn_world *world, const cni_contact_block *k
 static int32_t is_leaning(const cn_world *world, const cni_contact_block *k, int32_t l)
 {
 	int32_t island = cni_awake_island(world, k->ia[l]);
-	return island != CNI_NONE && (cni_island_at(world, island)->unheld_step != 0 || (is_slow(world, k->ia[l]) && is_slow(world, k->ib[l])));
+	cni_island *i = island != CNI_NONE ? cni_island_at(world, island) : NULL;
+	cni_vec2 frame;
+	if (i == NULL || i->unheld_step != 0)
+		return i != NULL;
+	frame = cni_island_frame(world, i);
+	return is_slow(world, k->ia[l], frame) && is_slow(world, k->ib[l], frame);
 }
 
 /* Reason why a lane is bad, 0: it is good. */

@@ -44,6 +44,8 @@ typedef struct cni_island {
 	uint32_t projected_step; /* step + 1 in which its overlaps were last projected (step/overlap_projection.c) ... */
 	int32_t projected_steps; /* ... and the number of such steps */
 	int32_t falls_steps;   /* ... and the number of consecutive steps in which it moved so fast that it falls */
+	uint32_t frame_step;   /* step + 1 of ... */
+	cni_vec2 frame;        /* ... cni_island_frame */
 } cni_island;
 
 enum { CNI_TIER_SOFT = CN_TIER_SOFT, CNI_TIER_DIRECT = CN_TIER_DIRECT };

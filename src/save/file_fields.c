@@ -143,7 +143,7 @@ static const cni_field island_fields[] = {
 	N(refused_step, STAMP), N(refused_steps, COUNT), N(reason, COUNT), N(solver, HALF), N(joints_solver, HALF), N(new_step, STAMP),
 	N(new_contacts, COUNT), N(unheld_step, STAMP), N(cone_step, STAMP), N(cone_spent, COUNT), N(cone_paid_step, STAMP), N(gives_step, STAMP),
 	N(falls_steps, COUNT), N(asked_step, STAMP), N(asked_steps, COUNT), N(projected_step, STAMP),
-	N(projected_steps, COUNT)
+	N(projected_steps, COUNT), N(frame_step, DERIVED), N(frame, DERIVED)
 };
 static const cni_field island_index_fields[] = { { 0, 1, CNI_FIELD_ISLAND } };
 

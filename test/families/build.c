@@ -53,7 +53,9 @@ static int32_t add_body(scene *s, int32_t type, double x, double y, double angle
 	scene_body body;
 	memset(&body, 0, sizeof body);
 	cn_body_def_init(&def);
-	def.type = type;
+	def.type = type == CN_BODY_STATIC && s->drift_mps != 0.0 ? CN_BODY_KINEMATIC : type;
+	if (def.type != CN_BODY_STATIC)
+		def.linear_velocity_mps.x = (float)s->drift_mps;
 	if (type == CN_BODY_DYNAMIC && s->noise_m > 0.0) {
 		x += s->noise_m * (2.0 * next(&s->noise_random) - 1.0);
 		y += s->noise_m * (2.0 * next(&s->noise_random) - 1.0);
@@ -198,7 +200,7 @@ void add_pit(scene *s, double half_width)
 
 void set_velocity(scene *s, int32_t body, double vx, double vy, double w)
 {
-	check(s, cn_body_set_velocity(s->world, s->bodies[body].handle, (float)vx, (float)vy, (float)w));
+	check(s, cn_body_set_velocity(s->world, s->bodies[body].handle, (float)(vx + s->drift_mps), (float)vy, (float)w));
 }
 
 void set_mass(scene *s, double mass_kg, double area_m2) { s->density = mass_kg / area_m2; }
@@ -249,7 +251,7 @@ static scene_joint begin_joint(const scene *s, int32_t type, int32_t a, int32_t 
 static void set_base(const scene *s, cn_joint_base *base, const scene_joint *joint)
 {
 	base->flags = s->joint_flags;
-	base->body_a = joint->a == WORLD ? 0 : s->bodies[joint->a].handle;
+	base->body_a = joint->a == WORLD ? s->frame : s->bodies[joint->a].handle;
 	base->body_b = s->bodies[joint->b].handle;
 	base->anchor_a_m.x = (float)joint->ax;
 	base->anchor_a_m.y = (float)joint->ay;
@@ -409,6 +411,8 @@ void add_pulley(scene *s, int32_t a, int32_t b, double gax, double gay, double g
 	const scene_body *from = &s->bodies[a], *to = &s->bodies[b];
 	scene_joint joint = begin_joint(s, CN_JOINT_PULLEY, a, b, from->x, from->y, to->x, to->y);
 	cn_pulley_def def;
+	if (s->drift_mps != 0.0)
+		snprintf(s->refusal, sizeof s->refusal, "a pulley hangs in the world, which does not drift");
 	joint.ground[0] = gax;
 	joint.ground[1] = gay;
 	joint.ground[2] = gbx;

@@ -74,6 +74,8 @@ typedef struct scene {
 	uint32_t *apart;
 	int32_t apart_count, apart_capacity;
 	int32_t *order; /* shapes by their lower x */
+	double drift_mps, drifted_m; /* velocity of the frame in which it was made, along x; how far that has come */
+	cn_body frame;               /* a kinematic body in place of the world, where it drifts */
 	double noise_m;
 	uint32_t noise_random;
 	/* What is done to it while it runs: meddle.c. */
@@ -154,6 +156,7 @@ typedef struct scene_measures {
 typedef struct run_settings {
 	int32_t solver, substeps; /* 0 substeps: the default */
 	int32_t noise;            /* 0: none; else which perturbation of 1e-5 m of all dynamic bodies */
+	double drift_mps;         /* all of it moves along x, static bodies as kinematic ones; measured in its own frame */
 	int32_t meddle;           /* 0: nothing is done to the scene while it runs; -1: a kind that the seed draws; else that one */
 } run_settings;
 

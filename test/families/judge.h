@@ -36,6 +36,7 @@ typedef struct settings {
 	int32_t seeds, first, confirm, substeps;
 	int noise, monotone;
 	int32_t meddle;  /* run_settings.meddle */
+	double drift_mps; /* likewise */
 	int32_t solvers[2];
 	const char *names[2];
 	FILE *csv, *record;

@@ -21,13 +21,13 @@ int32_t measure_read(scene *s)
 			return 1;
 		if (body->dynamic && cn_body_get_velocity(s->world, body->handle, &velocity) != CN_OK)
 			return 1;
-		body->px = (double)pose.position_m.x;
+		body->px = (double)pose.position_m.x - s->drifted_m;
 		body->py = (double)pose.position_m.y;
 		body->c = (double)pose.cosine;
 		body->s = (double)pose.sine;
-		body->cx = (double)center.x;
+		body->cx = (double)center.x - s->drifted_m;
 		body->cy = (double)center.y;
-		body->vx = (double)velocity.linear_mps.x;
+		body->vx = body->dynamic ? (double)velocity.linear_mps.x - s->drift_mps : 0.0;
 		body->vy = (double)velocity.linear_mps.y;
 		body->w = (double)velocity.angular_radps;
 		body->turned += remainder(atan2(body->s, body->c) - body->turned, 2.0 * PI);

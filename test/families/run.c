@@ -45,6 +45,17 @@ static void pick_time(scene *s)
 	s->seconds = 4.0;
 }
 
+/* In place of the world, to which nothing that moves can be jointed. */
+static void begin_frame(scene *s)
+{
+	cn_body_def def;
+	cn_body_def_init(&def);
+	def.type = CN_BODY_KINEMATIC;
+	def.linear_velocity_mps.x = (float)s->drift_mps;
+	if (cn_body_create(s->world, &def, &s->frame) != CN_OK)
+		snprintf(s->refusal, sizeof s->refusal, "no frame");
+}
+
 static void begin_scene(scene *s, const family *which, int32_t seed, const run_settings *settings)
 {
 	const char *c;
@@ -71,6 +82,9 @@ static void begin_scene(scene *s, const family *which, int32_t seed, const run_s
 	if (cn_world_create(&def, &s->world) != CN_OK)
 		snprintf(s->refusal, sizeof s->refusal, "no world");
 	pick_time(s);
+	s->drift_mps = settings->drift_mps;
+	if (s->drift_mps != 0.0)
+		begin_frame(s);
 }
 
 static void end_scene(scene *s)
@@ -147,6 +161,7 @@ static int step_once(scene *s, scene_measures *m, double now_s, double dt_s)
 	m->step_ms += spent;
 	m->step_max_ms = fmax(m->step_max_ms, spent);
 	++m->steps;
+	s->drifted_m += s->drift_mps * (double)(float)dt_s;
 	m->broken = measure_read(s);
 	if (result != CN_OK)
 		snprintf(s->refusal, sizeof s->refusal, "%s", cn_world_error_text(s->world));
