@@ -358,8 +358,13 @@ static void list_update(cn_world *world, float h)
 	for (k = 0; k < world->direct_islands.count; ++k) {
 		int32_t island = direct_list(world)[k];
 		cni_island *i = cni_island_at(world, island);
-		if (i->first == CNI_NONE || i->tier != CNI_TIER_DIRECT)
+		if (i->first == CNI_NONE)
 			continue;
+		if (i->tier != CNI_TIER_DIRECT) {
+			if (i->reason == CN_TIER_REASON_NO_SET) /* a part of it, or a pass, had none: the others may press by any force */
+				cni_island_limit_impulses(world, i);
+			continue;
+		}
 		if (!i->awake) {
 			i->tier = CNI_TIER_SOFT;
 			continue;

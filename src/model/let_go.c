@@ -1,9 +1,11 @@
 /*
- * model/let_go.c - a body that may have held others goes: it is destroyed, disabled or changes its type.
+ * model/let_go.c - limits the contact impulses of an island from which something goes that may have balanced them: a body that is destroyed,
+ * disabled or changes its type, or the exact solution of its contacts.
  *
  * The contacts of a pile that it pressed balance each other with impulses of thousands of weights. The next substep begins with them, and
  * without the body they throw the pile: parts that a kinematic body had pressed into the ground, at 360 m/s. So impulses of contacts in the
- * islands that the body touched, or was jointed to, are limited to CNI_SOFT_STRESS weights of the lighter body.
+ * islands that the body touched, or was jointed to, are limited to CNI_SOFT_STRESS weights of the lighter body; so are those of islands that
+ * exact solutions gave up.
  *
  * Writes impulses of lanes.
  */
@@ -27,9 +29,15 @@ static void lane_limit(const cn_world *world, int32_t slot, float speed_most)
 	cni_block_scale_impulses(cni_block_at(world, slot / CNI_LANES), slot % CNI_LANES, speed_most / speed);
 }
 
-/* Once a step: islands of thousands of bodies may lose thousands. */
-static void island_limit(cn_world *world, cni_island *island, float speed_most)
+/* Speed that CNI_SOFT_STRESS weights give in a substep. */
+static float speed_most_of(const cn_world *world)
 {
+	return CNI_SOFT_STRESS * cni_length(world->settings.gravity) * world->step_dt / (float)world->settings.substeps;
+}
+
+void cni_island_limit_impulses(cn_world *world, cni_island *island)
+{
+	float speed_most = speed_most_of(world);
 	int32_t body, key;
 	if (!island->awake || island->limited_step == world->step_count + 1)
 		return;
@@ -42,10 +50,10 @@ static void island_limit(cn_world *world, cni_island *island, float speed_most)
 		}
 }
 
-static void neighbour_limit(cn_world *world, int32_t body, float speed_most)
+static void neighbour_limit(cn_world *world, int32_t body)
 {
 	if (cni_is_dynamic(world, body) && cni_body_at(world, body)->island != CNI_NONE)
-		island_limit(world, cni_island_at(world, cni_body_at(world, body)->island), speed_most);
+		cni_island_limit_impulses(world, cni_island_at(world, cni_body_at(world, body)->island));
 }
 
 static float inv_mass_of(const cn_world *world, int32_t body)
@@ -65,17 +73,17 @@ static float joint_speed(const cn_world *world, const cni_joint *j)
 /* Islands are looked at only where the body itself presses or pulls that hard: a brick of a wall does not. */
 void cni_body_let_go(cn_world *world, int32_t body)
 {
-	float speed_most = CNI_SOFT_STRESS * cni_length(world->settings.gravity) * world->step_dt / (float)world->settings.substeps;
+	float speed_most = speed_most_of(world);
 	int32_t key;
 	cni_body_wake_neighbours(world, body);
 	for (key = cni_body_at(world, body)->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
 		const cni_contact *c = cni_contact_of_key(world, key);
 		if (cni_contact_has_lane(c) && lane_speed(world, c->slot) > speed_most)
-			neighbour_limit(world, c->body[1 - (key & 1)], speed_most);
+			neighbour_limit(world, c->body[1 - (key & 1)]);
 	}
 	for (key = cni_body_at(world, body)->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1]) {
 		const cni_joint *j = cni_joint_at(world, key >> 1);
 		if (joint_speed(world, j) > speed_most)
-			neighbour_limit(world, j->body[1 - (key & 1)], speed_most);
+			neighbour_limit(world, j->body[1 - (key & 1)]);
 	}
 }

@@ -178,6 +178,40 @@ static void t_what_falls_forgets_its_loads(void)
 	cn_world_destroy(world);
 }
 
+/* Presses the contacts of the stack by 20,000 weights, and says that it was refused in this step. Returns by how many weights the solver
+   for the next step presses. */
+static double weights_after(int32_t reason)
+{
+	cn_world *world = make_world(CN_SOLVER_AUTO, CN_DEFAULT, CN_DEFAULT);
+	float h = 0.25f * FRAME_S;
+	double most = 0.0;
+	cn_body first;
+	int32_t block, l;
+	fixture_floor(world, 0.6f, 0.0f);
+	first = stack(world, 0.0f, 3, NULL);
+	fixture_step(world, 5);
+	CHECK(island_of(world, first)->tier == CNI_TIER_DIRECT);
+	for (block = 0; block < world->block_used; ++block)
+		for (l = 0; l < CNI_LANES; ++l)
+			if (cni_block_at(world, block)->p[0].jn[l] > 0.0f)
+				cni_block_at(world, block)->p[0].jn[l] = 20000.0f * 10.0f * h;
+	cni_island_refuse(world, island_number(world, first), reason);
+	cni_stage_select_solvers(world, h);
+	for (block = 0; block < world->block_used; ++block)
+		for (l = 0; l < CNI_LANES; ++l)
+			most = fmax(most, (double)(cni_block_at(world, block)->p[0].jn[l] / (10.0f * h)));
+	cn_world_destroy(world);
+	return most;
+}
+
+/* One part of an island may have a solution that presses a body from both sides by any force, while another part has none: soft constraints
+   would start from it, and throw the body. */
+static void t_what_has_no_set_presses_no_harder_than_soft_contacts_bear(void)
+{
+	CHECK_LE("weights after a solution was not found", weights_after(CN_TIER_REASON_NO_SET), 301.0, "weights");
+	CHECK_GE("... after it fell", weights_after(CN_TIER_REASON_MOVING), 19999.0, "weights");
+}
+
 /* Soft contacts give way by s g h^2 under s own weights: much for a small body, little for a large one. */
 static void t_small_bodies_are_crushed_sooner(void)
 {
@@ -342,6 +376,7 @@ int main(int argc, char **argv)
 	RUN(t_what_turns_bad_again_stays_longer);
 	RUN(t_so_many_islands_at_a_time);
 	RUN(t_what_falls_forgets_its_loads);
+	RUN(t_what_has_no_set_presses_no_harder_than_soft_contacts_bear);
 	RUN(t_small_bodies_are_crushed_sooner);
 	RUN(t_soft_prevails_in_any_order);
 	RUN(t_what_was_poured_spends_little);
