@@ -47,6 +47,8 @@ int32_t cni_island_is_slower(const cn_world *world, cni_island *i, float most);
 int32_t cni_island_is_quiet(const cn_world *world, cni_island *i);
 /* The same of a body without an island. */
 int32_t cni_body_is_quiet(const cn_world *world, const cni_body *b);
+/* Has the awake body a joint that is solved in this step? After cni_external_prepare. */
+int32_t cni_body_is_jointed(const cn_world *world, const cni_body *b);
 int32_t cni_island_has_joints(const cn_world *world, int32_t island);
 
 #endif

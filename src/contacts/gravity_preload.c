@@ -367,7 +367,7 @@ static int32_t island_is_due(const cn_world *world, int32_t island)
 
 static int32_t body_is_due(const cn_world *world, const cni_body *b)
 {
-	return (b->flags & CNI_BODY_SET_DOWN) && b->joint_first == CNI_NONE && cni_body_is_quiet(world, b);
+	return (b->flags & CNI_BODY_SET_DOWN) && !cni_body_is_jointed(world, b) && cni_body_is_quiet(world, b);
 }
 
 static void island_unheld(cn_world *world, int32_t island)

@@ -54,7 +54,7 @@ static cni_vec2 frame_find(const cn_world *world, const cni_island *i)
 	const cni_motion *m = cni_motions(world) + first->awake;
 	cni_vec2 zero = { 0.0f, 0.0f }, velocity = zero;
 	int32_t body;
-	if (body_is_slower(world, first, zero, world->settings.sleep_speed) ||
+	if (body_is_slower(world, first, zero, CNI_REST_SPEED * world->settings.length_unit) ||
 	    !bodies_are_slower(world, i, cni_v(m->vx, m->vy), 2.0f * CNI_PILE_QUIET_SPEED * world->settings.length_unit))
 		return zero;
 	for (body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
@@ -92,11 +92,16 @@ int32_t cni_body_is_quiet(const cn_world *world, const cni_body *b)
 
 /* ---- islands and contacts ---- */
 
+int32_t cni_body_is_jointed(const cn_world *world, const cni_body *b)
+{
+	return (cni_externals(world)[b->awake].flags & CNI_EXTERNAL_JOINTED) != 0;
+}
+
 int32_t cni_island_has_joints(const cn_world *world, int32_t island)
 {
 	int32_t body;
 	for (body = cni_island_at(world, island)->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
-		if (cni_body_at(world, body)->joint_first != CNI_NONE)
+		if (cni_body_is_jointed(world, cni_body_at(world, body)))
 			return 1;
 	return 0;
 }

@@ -67,9 +67,9 @@ typedef struct projection {
 
 /* ---- which islands ---- */
 
-static int32_t body_is_projected(const cni_body *b)
+static int32_t body_is_projected(const cn_world *world, const cni_body *b)
 {
-	return b->joint_first == CNI_NONE && !(b->flags & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y));
+	return !cni_body_is_jointed(world, b) && !(b->flags & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y));
 }
 
 static int32_t island_is_projected(const projection *p, int32_t island)
@@ -80,7 +80,7 @@ static int32_t island_is_projected(const projection *p, int32_t island)
 	if (i->tier == CNI_TIER_DIRECT || !cni_island_is_slower(world, i, world->settings.sleep_speed))
 		return 0;
 	for (body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
-		if (!body_is_projected(cni_body_at(world, body)))
+		if (!body_is_projected(world, cni_body_at(world, body)))
 			return 0;
 	if (world->step_count + 1u - i->projected_step > STEPS_FORGET)
 		i->projected_steps = 0;

@@ -324,6 +324,34 @@ static void t_contacts_of_a_kind_are_refused(void)
 	}
 }
 
+/* 0: joints that are not solved, a filter to a far body and a pin to a disabled one. 1: a rod. */
+static void t_joints_that_are_solved_keep_islands_soft(void)
+{
+	int32_t kind;
+	for (kind = 0; kind < 2; ++kind) {
+		cn_world *world = make_world(CN_SOLVER_AUTO, CN_DEFAULT, CN_DEFAULT);
+		cn_body first, top, far = unit_box(world, 20.0f, 10.0f, 0.0f);
+		cn_filter_joint_def filter;
+		cn_revolute_def pin;
+		cn_distance_def rod;
+		cn_joint joint;
+		fixture_floor(world, 0.6f, 0.0f);
+		first = stack(world, 0.0f, 3, &top);
+		cn_filter_joint_def_init(&filter);
+		connect(&filter.base, first, at(0.0f, 0.0f), far, at(0.0f, 0.0f));
+		must(cn_joint_create_filter(world, &filter, &joint), world, "cn_joint_create_filter");
+		pin = revolute_def(top, at(0.0f, 0.0f), unit_box(world, 0.0f, 2.5f, 0.0f), at(0.0f, 0.0f));
+		must(cn_joint_create_revolute(world, &pin, &joint), world, "cn_joint_create_revolute");
+		must(cn_body_set_flags(world, pin.base.body_b, CN_BODY_SLEEP), world, "cn_body_set_flags");
+		rod = distance_def(first, at(0.0f, 0.0f), top, at(0.0f, 0.0f), 2.0f);
+		if (kind == 1)
+			must(cn_joint_create_distance(world, &rod, &joint), world, "cn_joint_create_distance");
+		fixture_step(world, 5);
+		CHECK(fixture_counters(world).islands_direct == 1 - kind);
+		cn_world_destroy(world);
+	}
+}
+
 /* Stacks on one long plank. */
 static void t_large_islands_are_refused(void)
 {
@@ -513,6 +541,7 @@ int main(int argc, char **argv)
 	RUN(t_the_definition_has_a_solver);
 	RUN(t_joints_own_solvers);
 	RUN(t_contacts_of_a_kind_are_refused);
+	RUN(t_joints_that_are_solved_keep_islands_soft);
 	RUN(t_large_islands_are_refused);
 	RUN(t_solvers_may_change_between_steps);
 	RUN(t_without_memory_it_is_soft);
