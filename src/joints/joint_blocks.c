@@ -404,7 +404,7 @@ static void color_pass_run(void *context, int32_t begin, int32_t end, int32_t wo
 
 void cni_joint_blocks_run(cn_world *world, const cni_solve *s, cni_joint_kernel_fn *run, int32_t small)
 {
-	color_pass c = { world, { s->h, s->inv_h, s->warm_scale, s->joint, s->restless_speed }, run, 0, small };
+	color_pass c = { world, { s->h, s->inv_h, s->joint_warm_scale, s->joint, s->restless_speed }, run, 0, small };
 	int32_t color;
 	for (color = 0; color < CNI_JOINT_COLORS && world->joint_blocks.count > 0; ++color) {
 		cni_team_for(s->team, world->joint_blocks_of[color], BLOCKS_A_RANGE, color_pass_run, &c);

@@ -62,7 +62,7 @@ void cni_joints_warm_start(cn_world *world, const cni_solve *s)
 	for (k = world->joint_plain_first; k != CNI_NONE; k = w->next_plain) {
 		w = cni_joint_constraints(world) + k;
 		for (r = 0; r < w->row_count; ++r) {
-			w->rows[r].impulse *= s->warm_scale;
+			w->rows[r].impulse *= s->joint_warm_scale;
 			cni_row_push(&w->rows[r], w->rows[r].impulse, cni_motions(world) + w->ia, cni_motions(world) + w->ib);
 		}
 	}

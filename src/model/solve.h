@@ -71,9 +71,11 @@ static inline float cni_damping_factor(float damping, float h)
 typedef struct cni_solve {
 	float dt, h, inv_h;
 	float mean_dt;             /* mean length of the steps so far, this one included */
+	float longest_dt;          /* longest of late, this one included */
 	float soft_rate;           /* 1/s: rate that softness is tied to; 1 / h if all steps are equal */
 	int32_t substeps;
 	float warm_scale;          /* factor of stored impulses: length of this substep over the last one's */
+	float joint_warm_scale;    /* the same of soft joints: at most 1 */
 	float push_speed;
 	float pushed_most;        /* metres: a body that corrections of errors move farther in a step does not rest, although its velocity is 0 */
 	float restitution_threshold;

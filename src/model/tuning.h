@@ -366,6 +366,10 @@ CNI_TUNING_FLOAT(CNI_STEADY_ACCELERATION, 12e-3f)
 /* Limit of the ratio of a step to the one before, by which warm start impulses scale; see step/solve_make.c. Walls fell with 4 when a
    step was 0.2 to 1.8 times the mean (a ratio of 9). */
 CNI_TUNING_FLOAT(CNI_WARM_STEP_RATIO_MAX, 20.0f)
+/* Seconds in which the longest step of late is forgotten. */
+CNI_TUNING_FLOAT(CNI_LONGEST_STEP_S, 8.0f)
+/* Hertz. Soft joints are no softer after a rare long step. */
+CNI_TUNING_FLOAT(CNI_JOINT_HERTZ_LEAST, 60.0f)
 /* Weight of a step in the mean step: about a second's steps count. */
 CNI_TUNING_FLOAT(CNI_MEAN_STEP_PART, 1.0f / 64.0f)
 

@@ -71,11 +71,12 @@ struct cn_world {
 	uint64_t user_data;
 
 	cni_settings settings;
-	int32_t locked;              /* > 0 while callbacks run */
+	uint16_t locked;             /* > 0 while callbacks run */
+	uint16_t overridden;         /* 1: a body or joint has had its own solver */
 	uint32_t step_count;
 	float step_dt;               /* length of the current or last step */
 	float mean_dt;               /* mean length of the steps so far; 0: none */
-	int32_t overridden;          /* 1: a body or joint has had its own solver */
+	float longest_dt;            /* longest step of late */
 	int32_t event_capacity;      /* of a fixed block: contacts that may report events */
 
 	/* bodies */

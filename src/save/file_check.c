@@ -74,7 +74,7 @@ static int32_t world_numbers_hold(const cn_world *world)
 {
 	/* The step numbers islands anew with step_count + 1, which must not come round to 0. */
 	return world->step_count < 0xF0000000u && world->masses_estimated <= CNI_ESTIMATED_MOST && (world->pairs_may_repeat & ~(CNI_PAIRS_ALL | CNI_PAIRS_CROWDED | CNI_PAIRS_CROWDED_FIXED)) == 0 && world->fixed_step > 0.0f && world->fixed_step <= 1.0f && world->time_owed >= 0.0f &&
-	       world->time_owed <= 16.0f && world->steps_max >= 1 && world->steps_max <= 1000 && world->step_dt >= 0.0f && world->mean_dt >= 0.0f;
+	       world->time_owed <= 16.0f && world->steps_max >= 1 && world->steps_max <= 1000 && world->step_dt >= 0.0f && world->mean_dt >= 0.0f && world->longest_dt >= 0.0f;
 }
 
 static int32_t body_numbers_hold(const cni_body *b)

@@ -27,7 +27,7 @@ static const cni_field settings_fields[] = {
 #define V(member) FIELD(cn_world, member, SAVED)
 #define D(member) FIELD(cn_world, member, DERIVED)
 static const cni_field world_fields[] = {
-	W(step_count, WORD), W(user_data, LONG), W(step_dt, FLOAT), W(mean_dt, FLOAT), W(overridden, BIT), W(fixed_step, FLOAT), W(time_owed, FLOAT),
+	W(step_count, WORD), W(user_data, LONG), W(step_dt, FLOAT), W(mean_dt, FLOAT), W(longest_dt, FLOAT), W(overridden, HALF), W(fixed_step, FLOAT), W(time_owed, FLOAT),
 	W(steps_max, COUNT), W(pairs_may_repeat, COUNT), W(seams_changed, BIT), W(seams_box, WORD), W(split_step, WORD), W(joints_soft_step, WORD),
 	W(projects, HALF), W(settled, HALF), W(piles_new, BIT), W(piles_unheld, BIT), W(masses_estimated, COUNT), W(estimated, WORD), W(solvers_asked, BIT), W(direct_work, COUNT), W(direct_failed, BIT),
 	W(cone_work, COUNT), W(warnings, WORD), W(pairs_not_added, COUNT), W(bodies_stopped, WORD), W(events_not_reported, COUNT), W(stressed_joints, COUNT),

@@ -63,6 +63,22 @@ static float mean_step(const cn_world *world, float dt)
 }
 
 /*
+ * The longest step of late. Joints bear loads over long spans, so their stiffness does not rise with the mean within a second: a stretched bridge
+ * that becomes 16 times as stiff, in slow motion, is thrown by 16 times its tension. A rare long step does not soften them.
+ */
+static float longest_step(const cn_world *world, float dt)
+{
+	float longest = world->longest_dt;
+	return CNI_ON(MEAN_STEP) ? cni_max(dt, longest + cni_min(dt / CNI_LONGEST_STEP_S, 1.0f) * (dt - longest)) : dt;
+}
+
+static float joint_hertz(const cni_solve *s)
+{
+	float of_longest = 0.25f * (float)s->substeps / cni_max(s->longest_dt, FLT_MIN);
+	return cni_min(0.25f * s->inv_h, cni_max(CNI_JOINT_HERTZ_LEAST, of_longest));
+}
+
+/*
  * What is borne is a force: a longer step needs larger impulses, a shorter one smaller ones. Where the product of these factors does
  * not remain the ratio of the steps, a pile sags or jumps: walls fell at once with a limit of 4 when a step was 0.2 to 1.8 times the
  * mean (a ratio of 9). After a pause nothing is known.
@@ -87,13 +103,15 @@ static cni_solve make(const cn_world *world, float dt, int32_t substeps)
 	s.inv_h = s.h > 0.0f ? 1.0f / s.h : 0.0f;
 	s.mean_dt = mean_step(world, dt);
 	s.soft_rate = s.mean_dt > 0.0f ? 1.0f / (s.mean_dt / (float)substeps) : 0.0f;
+	s.longest_dt = longest_step(world, dt);
 	s.warm_scale = warm_scale(world, dt);
+	s.joint_warm_scale = cni_min(s.warm_scale, 1.0f); /* an impact's impulse is no load: seven times as much of it, after a pause, throws chains */
 	s.push_speed = set->push_speed_max;
 	s.restitution_threshold = set->restitution_threshold;
 	for (kind = 0; kind < CNI_CONTACTS_KINDS; ++kind)
 		s.contact[kind] = contact_pass_make(world, &s, kind);
 	s.restless_speed = CNI_JOINT_RESTLESS * set->length_unit;
-	s.joint = cni_soft_implicit(0.25f * s.inv_h, 2.0f, s.h);
+	s.joint = cni_soft_implicit(joint_hertz(&s), 2.0f, s.h);
 	s.pushed_most = dt * cni_min(set->slop * cni_soft_error_rate(&s.contact[0].soft, 1), 0.5f * set->push_speed_max); /* a slop is left */
 	s.kernel = cni_contact_kernel_choose();
 	if (CNI_HAS_JOINTS)

@@ -176,6 +176,7 @@ static int32_t step_soft(cn_world *world, float dt, uint64_t *mark)
 		return 0;
 	}
 	world->mean_dt = s.mean_dt;
+	world->longest_dt = s.longest_dt;
 	cni_external_prepare(world, &s);
 	if (has_joints(world))
 		cni_joints_prepare(world, &s);

@@ -19,13 +19,13 @@ typedef struct arch_scene {
 #define ARCH_SCENES 8
 static const arch_scene arch_scenes[ARCH_SCENES] = {
 	{ "shapes", scene_shapes, 0x7b0fac6cf147214d },
-	{ "joints", scene_joints, 0xf4dcf2c8d683f85e },
-	{ "direct", scene_direct, 0x0ff356e57fdb49ac },
-	{ "tiers", scene_tiers, 0x2c313c62ed86e657 },
+	{ "joints", scene_joints, 0xd3150042de2a1ee3 },
+	{ "direct", scene_direct, 0xf12e85e8b65b49d8 },
+	{ "tiers", scene_tiers, 0x6d8c16729bfbb91f },
 	{ "sequential", scene_sequential, 0x6bc77927e99d3264 },
 	{ "queries", scene_queries, 0x8eabe7465e38d7f6 },
 	{ "events", scene_events, 0x6da80ced72fbe7a0 },
-	{ "file", scene_file, 0xffd2bf6213c52f37 },
+	{ "file", scene_file, 0xf208066a0bb1a48d },
 };
 
 /* The number of a scene; 0 if a call failed: arch_failed_line. */

@@ -153,10 +153,13 @@ typedef struct scene_measures {
 
 #define MOVED_MAX_M 0.5 /* beyond, it fell: by how much is chance */
 
+enum { PACE_OF_SEED, PACE_HITCHES, PACE_SLOW_MOTION, PACE_ALTERNATING, PACE_ANY };
+
 typedef struct run_settings {
 	int32_t solver, substeps; /* 0 substeps: the default */
 	int32_t noise;            /* 0: none; else which perturbation of 1e-5 m of all dynamic bodies */
 	double drift_mps;         /* all of it moves along x, static bodies as kinematic ones; measured in its own frame */
+	int32_t pace;             /* PACE_: lengths of frames, 0: the seed's */
 	int32_t meddle;           /* 0: nothing is done to the scene while it runs; -1: a kind that the seed draws; else that one */
 } run_settings;
 

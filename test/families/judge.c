@@ -78,6 +78,7 @@ static double reference_speed(const settings *set, const family *which, int32_t 
 	run.noise = repeat;
 	run.meddle = set->meddle;
 	run.drift_mps = set->drift_mps;
+	run.pace = set->pace;
 	SIDE_USE(1);
 	return run_scene(which, seed, &run).speed_max;
 }
@@ -89,6 +90,7 @@ scene_measures run_side(const settings *set, const family *which, int32_t seed, 
 	run.substeps = set->substeps;
 	run.meddle = set->meddle;
 	run.drift_mps = set->drift_mps;
+	run.pace = set->pace;
 	run.noise = repeat + (set->noise && side == 0 ? NOISE_OTHER : 0);
 	SIDE_USE(side);
 	return run_scene(which, seed, &run);

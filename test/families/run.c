@@ -168,9 +168,21 @@ static int step_once(scene *s, scene_measures *m, double now_s, double dt_s)
 	return result == CN_OK && m->broken == 0 && m->step_ms < 1e3 * CPU_MAX_S;
 }
 
-static void step_frames(scene *s, scene_measures *m)
+/* Length of a frame. random: 0 to 1. */
+static double frame_of(const scene *s, int32_t pace, int32_t frame, double now_s, double random)
 {
-	int32_t frames = (int32_t)lround(s->seconds / s->dt_s), k;
+	switch (pace) {
+	case PACE_HITCHES: return random < 0.03 ? fmax(s->dt_s, 1.0 / 20.0) : s->dt_s;
+	case PACE_SLOW_MOTION: return (int32_t)now_s & 1 ? 0.25 * s->dt_s : s->dt_s;
+	case PACE_ALTERNATING: return frame & 1 ? 0.5 * s->dt_s : 2.0 * fmin(s->dt_s, 1.0 / 60.0);
+	case PACE_ANY: return pow(12.0, random) / 240.0;
+	default: return s->vary ? s->dt_s * (0.5 + random) : s->dt_s;
+	}
+}
+
+static void step_frames(scene *s, scene_measures *m, int32_t pace)
+{
+	int32_t frames = (int32_t)lround(s->seconds / s->dt_s) * (pace != PACE_OF_SEED ? 10 : 1), k, given_up = 0;
 	double *errors = malloc((size_t)frames * sizeof *errors), *overlaps = malloc((size_t)frames * sizeof *overlaps);
 	double scale, start, most, now_s = 0.0, dt_s;
 	uint32_t random = mixed(s->random);
@@ -181,10 +193,11 @@ static void step_frames(scene *s, scene_measures *m)
 	start = most = measure_energy(s);
 	m->joint_start = measure_joints(s);
 	m->overlap_start = measure_overlap(s);
-	for (k = 0; k < frames; ++k) {
+	for (k = 0; k < frames && (pace == PACE_OF_SEED || now_s < s->seconds); ++k) {
 		random = mixed(random);
-		dt_s = s->vary ? s->dt_s * (0.5 + (double)random / 4294967296.0) : s->dt_s;
-		if (!step_once(s, m, now_s, dt_s))
+		dt_s = frame_of(s, pace, k, now_s, (double)random / 4294967296.0);
+		given_up = !step_once(s, m, now_s, dt_s);
+		if (given_up)
 			break;
 		now_s += dt_s;
 		errors[k] = measure_joints(s);
@@ -200,7 +213,7 @@ static void step_frames(scene *s, scene_measures *m)
 	m->joint_mean /= k > 0 ? (double)k : 1.0;
 	m->step_ms /= m->steps > 0 ? (double)m->steps : 1.0;
 	m->energy_pct = 100.0 * (most - start) / scale;
-	if (k < frames && m->broken == 0 && s->refusal[0] == '\0')
+	if (given_up && m->broken == 0 && s->refusal[0] == '\0')
 		snprintf(s->refusal, sizeof s->refusal, "given up after %.0f s of processor time", CPU_MAX_S);
 	free(errors);
 	free(overlaps);
@@ -216,7 +229,7 @@ scene_measures run_scene(const family *which, int32_t seed, const run_settings *
 		which->build(&s);
 	meddle_begin(&s, settings->meddle);
 	if (s.refusal[0] == '\0')
-		step_frames(&s, &m);
+		step_frames(&s, &m, settings->pace);
 	m.flags = s.flags;
 	m.bodies = s.body_count;
 	m.joints = s.joint_count;

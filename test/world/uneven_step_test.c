@@ -1,7 +1,8 @@
 /*
  * test/world/uneven_step_test.c - what stands goes on standing when no step is as long as the last, and falls asleep.
  *
- * Look at step/solve_make.c: impulses are scaled by the ratio of the steps, and softness is tied to the mean step.
+ * Look at step/solve_make.c: impulses are scaled by the ratio of the steps, softness of contacts is tied to the mean step, that of joints to the
+ * longest of late.
  */
 #include "fixture.h"
 
@@ -128,8 +129,110 @@ static void soft_piles_do_not_come_apart(void)
 	CHECK_LE("farthest that a body moved", most, 0.02, "m");
 }
 
+/* ---- joints ---- */
+
+enum { ANY_FRAMES, HITCHES, ALTERNATING, SLOW_MOTION, PACES };
+
+static float frame_of(int32_t pace, int32_t step, double now_s, uint32_t *random)
+{
+	switch (pace) {
+	case ANY_FRAMES: return expf(fixture_random(random, -5.48f, -3.0f)); /* 1/240 to 1/20 s */
+	case HITCHES: return step % 37 == 17 ? 4.0f * FRAME_S : FRAME_S;
+	case ALTERNATING: return step & 1 ? 0.5f * FRAME_S : 2.0f * FRAME_S;
+	default: return (int32_t)now_s & 1 ? 0.25f * FRAME_S : FRAME_S;
+	}
+}
+
+/* Planks pinned to each other and to a wall, from this x on. Returns the last. */
+static cn_body planks_build(built *b, int32_t planks, float left)
+{
+	cn_body last = 0;
+	int32_t k;
+	for (k = 0; k < planks; ++k) {
+		cn_revolute_def pin;
+		cn_joint joint;
+		box_add(b, left + (float)k + 0.5f, 20.0f, 0.5f, 0.125f);
+		cn_revolute_def_init(&pin);
+		pin.base.body_a = last;
+		pin.base.body_b = b->bodies[k];
+		pin.base.anchor_a_m.x = last != 0 ? 0.5f : left;
+		pin.base.anchor_a_m.y = last != 0 ? 0.0f : 20.0f;
+		pin.base.anchor_b_m.x = -0.5f;
+		must(cn_joint_create_revolute(b->world, &pin, &joint), b->world, "cn_joint_create_revolute");
+		last = b->bodies[k];
+	}
+	return last;
+}
+
+/* The end of the last plank, 0.5 m from its middle, is pinned to a body (0: the world) at a point of it. */
+static void end_pin(cn_world *world, cn_body plank, cn_body body, float x, float y)
+{
+	cn_revolute_def pin;
+	cn_joint joint;
+	cn_revolute_def_init(&pin);
+	pin.base.body_a = body;
+	pin.base.body_b = plank;
+	pin.base.anchor_a_m.x = x;
+	pin.base.anchor_a_m.y = y;
+	pin.base.anchor_b_m.x = 0.5f;
+	must(cn_joint_create_revolute(world, &pin, &joint), world, "cn_joint_create_revolute");
+}
+
+/* A taut bridge between two walls, onto which balls fall; or a chain of planks that falls with a ball of 90 times the weight of a plank at its
+   end. Returns the speed of the fastest plank in ten seconds. */
+static double fastest_plank(int32_t planks, int32_t ball, int32_t solver, int32_t pace)
+{
+	cn_world_def def;
+	built b;
+	cn_body last;
+	uint32_t random = 12345u;
+	double most = 0.0, now_s = 0.0;
+	float left = -0.5f * (float)planks;
+	int32_t k;
+	memset(&b, 0, sizeof b);
+	cn_world_def_init(&def);
+	def.gravity_mps2.y = -10.0f;
+	def.solver = solver;
+	must(cn_world_create(&def, &b.world), NULL, "cn_world_create");
+	last = planks_build(&b, planks, left);
+	if (ball)
+		end_pin(b.world, last, fixture_circle(b.world, CN_BODY_DYNAMIC, 2.7f - left, 20.0f, 2.7f, 0.6f, 0.0f), -2.7f, 0.0f);
+	else
+		end_pin(b.world, last, 0, -left, 20.0f);
+	for (k = 0; k < 3 && !ball; ++k)
+		fixture_circle(b.world, CN_BODY_DYNAMIC, left + (float)planks * (0.2f + 0.2f * (float)k), 22.0f + 2.0f * (float)k, 0.5f, 0.6f, 0.0f);
+	for (k = 0; now_s < 10.0; ++k) {
+		float dt = frame_of(pace, k, now_s, &random);
+		int32_t i;
+		must(cn_world_step(b.world, dt), b.world, "cn_world_step");
+		now_s += (double)dt;
+		for (i = 0; i < planks; ++i) {
+			cn_velocity v = fixture_velocity(b.world, b.bodies[i]);
+			most = greater(most, hypot((double)v.linear_mps.x, (double)v.linear_mps.y));
+		}
+	}
+	cn_world_destroy(b.world);
+	return most;
+}
+
+/* With a stiffness of joints that follows the step, or the mean step, such bridges reach the speed limit; chains do so with impulses that grow
+   with the step. */
+static void joints_bear_steps_of_any_length(void)
+{
+	double bridge = 0.0, chain = 0.0;
+	int32_t k;
+	for (k = 0; k < 2 * 2 * PACES; ++k) {
+		int32_t planks = k & 1 ? 80 : 40, solver = k & 2 ? CN_SOLVER_SOFT : CN_SOLVER_AUTO;
+		bridge = greater(bridge, fastest_plank(planks, 0, solver, k / 4));
+		chain = greater(chain, fastest_plank(planks / 2, 1, solver, k / 4));
+	}
+	CHECK_LE("fastest plank of a bridge", bridge, 26.0, "m/s");
+	CHECK_LE("fastest plank of a chain", chain, 45.0, "m/s");
+}
+
 int main(void)
 {
+	RUN(joints_bear_steps_of_any_length);
 	RUN(piles_stand);
 	RUN(soft_piles_do_not_come_apart);
 	return test_end();
