@@ -57,15 +57,6 @@ static int32_t is_requested(const cn_world *world, const cni_sparse *sparse, con
 	return island != CNI_NONE && cni_island_at(world, island)->joints_solver == CN_SOLVER_DIRECT;
 }
 
-static int32_t has_pins_and_rods_alone(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
-{
-	int32_t k;
-	for (k = c->begin; k < c->end; ++k)
-		if (sparse->nodes[k].rows != 2 && cni_joint_constraints(world)[sparse->nodes[k].owner].record->type != CN_JOINT_DISTANCE)
-			return 0;
-	return 1;
-}
-
 static int32_t joints_to_fixed(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
 	const cni_motion *motions = cni_motions(world);
@@ -73,6 +64,18 @@ static int32_t joints_to_fixed(const cn_world *world, const cni_sparse *sparse, 
 	for (k = c->begin; k < c->end; ++k)
 		count += motions[sparse->nodes[k].ia].inv_mass == 0.0f || motions[sparse->nodes[k].ib].inv_mass == 0.0f;
 	return count;
+}
+
+/* Pins and rods alone, and welds where it is one row of parts between two fixed ends. */
+static int32_t may_be_straight(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	int32_t k, is_row = c->end - c->begin == c->body_end - c->body_begin + 1 && joints_to_fixed(world, sparse, c) == 2;
+	for (k = c->begin; k < c->end; ++k) {
+		int32_t type = cni_joint_constraints(world)[sparse->nodes[k].owner].record->type;
+		if (sparse->nodes[k].rows != 2 && type != CN_JOINT_DISTANCE && !(is_row && type == CN_JOINT_FIXED))
+			return 0;
+	}
+	return 1;
 }
 
 static int32_t touched_bodies(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
@@ -83,9 +86,35 @@ static int32_t touched_bodies(const cn_world *world, const cni_sparse *sparse, c
 	return count;
 }
 
+/* How far the two points of a pin, or the ends of a rod, are from where they belong. */
+static float gap_of(const cni_joint_constraint *w)
+{
+	switch (w->record->type) {
+	case CN_JOINT_REVOLUTE: case CN_JOINT_FIXED: return cni_length(w->start.d);
+	case CN_JOINT_DISTANCE: return w->record->flags & (CN_JOINT_SPRING | CN_JOINT_LIMIT) ? 0.0f : cni_abs(cni_length(w->start.d) - w->record->p[CNI_P_LENGTH]);
+	default: return 0.0f;
+	}
+}
+
+static float widest_gap(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	float most = 0.0f;
+	int32_t k;
+	for (k = c->begin; k < c->end; ++k)
+		most = cni_max(most, gap_of(cni_joint_constraints(world) + sparse->nodes[k].owner));
+	return most;
+}
+
+/* 1: in the last step its joints were soft, as they had been given up. */
+static int32_t was_soft(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	const cni_joint_trust *t = &cni_joint_constraints(world)[sparse->nodes[c->begin].owner].record->trust;
+	return t->span > 0 && t->soft && t->until == world->step_count;
+}
+
 /*
  * A loop of pins or rods between fixed bodies, such as a bridge between two walls, may be so straight that no force can hold it: rigid
- * joints explode there when contacts load it. Trees have no such configurations, nor have loops with gears. A loop of moving bodies alone,
+ * joints explode there when contacts load it, or when they are to close what soft ones have opened (RATTLE finds that no motion does). Trees have no such configurations, nor have loops with gears. A loop of moving bodies alone,
  * such as a scissor lift, stays exact unless most of its bodies touch something, more than contacts can know its joints
  * (direct/heavy_contacts.c): the links of a caterpillar track would be pressed into wheels. Contacts come and go: a loop that closed its
  * joints whenever a body on it bounces would throw the body. So the loop stays soft for the longest span of a trust: of 80 seeds of the
@@ -97,8 +126,10 @@ static int32_t loop_is_better_soft(const cn_world *world, const cni_sparse *spar
 	if (!CNI_ON(SOFT_LOOPS) || world->settings.solver != CN_SOLVER_AUTO || !c->loops || c->has_contacts || bodies == 0 || is_requested(world, sparse, c))
 		return 0;
 	touched = touched_bodies(world, sparse, c);
-	if (touched == 0 || !has_pins_and_rods_alone(world, sparse, c))
+	if ((touched == 0 && (c->uses_rattle || !was_soft(world, sparse, c))) || !may_be_straight(world, sparse, c))
 		return 0;
+	if (touched == 0)
+		return joints_to_fixed(world, sparse, c) > 1 && widest_gap(world, sparse, c) > CNI_LOOP_OPEN * world->settings.length_unit;
 	return joints_to_fixed(world, sparse, c) > 1 || (2 * touched > bodies && touched > cni_heavy_contacts_most(sparse, c));
 }
 
@@ -143,25 +174,11 @@ static void impulses_soften(cn_world *world, const cni_solve *s, const cni_spars
 	}
 }
 
-/* How far the two points of a pin, or the ends of a rod, are from where they belong. */
-static float gap_of(const cni_joint_constraint *w)
-{
-	switch (w->record->type) {
-	case CN_JOINT_REVOLUTE: case CN_JOINT_FIXED: return cni_length(w->start.d);
-	case CN_JOINT_DISTANCE: return w->record->flags & (CN_JOINT_SPRING | CN_JOINT_LIMIT) ? 0.0f : cni_abs(cni_length(w->start.d) - w->record->p[CNI_P_LENGTH]);
-	default: return 0.0f;
-	}
-}
-
 /* A component with a joint that was torn open, by a body that was put elsewhere or by moving parts that pull it apart: exact joints turn
    its bodies so far while they close the gap that linear systems say nothing of it. It is soft until the gap is closed. */
 static int32_t is_torn(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
-	int32_t k;
-	for (k = c->begin; k < c->end && !c->has_contacts; ++k)
-		if (gap_of(cni_joint_constraints(world) + sparse->nodes[k].owner) > CNI_JOINT_TORN * world->settings.length_unit)
-			return 1;
-	return 0;
+	return !c->has_contacts && widest_gap(world, sparse, c) > CNI_JOINT_TORN * world->settings.length_unit;
 }
 
 /* Is the joint beyond a limit under thousands of weights? */

@@ -55,12 +55,6 @@ static int32_t constraint_is_rigid(const cni_joint_constraint *w, const cni_moti
 	return 1;
 }
 
-static int32_t end_is_eligible(const cn_world *world, int32_t index)
-{
-	const cni_motion *m = cni_motions(world) + index;
-	return index == 0 || m->inv_mass > 0.0f || m->inv_inertia > 0.0f;
-}
-
 /* 1: nothing touches the body and only joints of the component constrain it. */
 static int32_t only_component_holds(const cn_world *world, int32_t index)
 {
@@ -92,13 +86,47 @@ int32_t cni_component_uses_rattle(cn_world *world, const cni_solve *s, const cni
 		if (!only_component_holds(world, sparse->bodies[k]))
 			return 0;
 	cni_component_rows_need(world, s, sparse, c);
-	for (k = c->begin; k < c->end; ++k) {
-		const cni_node *n = &sparse->nodes[k];
-		if (!end_is_eligible(world, n->ia) || !end_is_eligible(world, n->ib) ||
-		    !constraint_is_rigid(&cni_joint_constraints(world)[n->owner], cni_motions(world), s->dt))
+	for (k = c->begin; k < c->end; ++k)
+		if (!constraint_is_rigid(&cni_joint_constraints(world)[sparse->nodes[k].owner], cni_motions(world), s->dt))
 			return 0;
-	}
 	return 1;
+}
+
+/* ---- kinematic ends: at constant velocity ---- */
+
+static int32_t is_base(const rattle_step *g, int32_t index)
+{
+	return index != 0 && g->motions[index].inv_mass == 0.0f && g->motions[index].inv_inertia == 0.0f;
+}
+
+static void base_place(const rattle_step *g, int32_t index)
+{
+	cni_motion *m = g->motions + index;
+	if (!is_base(g, index))
+		return;
+	m->dpx = g->elapsed * m->vx;
+	m->dpy = g->elapsed * m->vy;
+	m->theta = g->elapsed * m->w;
+	g->sparse->turn[index] = cni_rot_small(m->theta);
+}
+
+static void bases_place(rattle_step *g, float elapsed)
+{
+	int32_t k;
+	g->elapsed = elapsed;
+	for (k = g->c->begin; k < g->c->end && g->has_bases; ++k) {
+		base_place(g, g->sparse->nodes[k].ia);
+		base_place(g, g->sparse->nodes[k].ib);
+	}
+}
+
+static int32_t has_bases(const rattle_step *g)
+{
+	int32_t k;
+	for (k = g->c->begin; k < g->c->end; ++k)
+		if (is_base(g, g->sparse->nodes[k].ia) || is_base(g, g->sparse->nodes[k].ib))
+			return 1;
+	return 0;
 }
 
 /* ---- one substep ---- */
@@ -128,9 +156,10 @@ static void kick(const rattle_step *g)
 	}
 }
 
-static void drift(const rattle_step *g)
+static void drift(rattle_step *g)
 {
 	int32_t k;
+	bases_place(g, g->elapsed + g->h);
 	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
 		cni_motion *m = g->motions + g->sparse->bodies[k];
 		m->dpx += g->h * m->vx;
@@ -282,7 +311,7 @@ static int32_t substeps_of(const rattle_step *g, const cni_solve *s, float rods)
 	return cni_max_i(s->substeps, (int32_t)needed);
 }
 
-static int32_t substep(const rattle_step *g)
+static int32_t substep(rattle_step *g)
 {
 	int32_t closed;
 	gaps_left_find(g);
@@ -340,7 +369,7 @@ static int32_t positions_project(const rattle_step *g)
 	return gap <= 2.0f * g->world->settings.accuracy ? CLOSED_WELL : OPEN;
 }
 
-static int32_t substep_project(const rattle_step *g)
+static int32_t substep_project(rattle_step *g)
 {
 	int32_t closed;
 	gaps_left_find(g);
@@ -418,9 +447,10 @@ static void impulses_reset(const rattle_step *g, float scale)
 }
 
 /* Restores the state at the beginning of the step. */
-static void step_undo(const rattle_step *g)
+static void step_undo(rattle_step *g)
 {
 	int32_t k;
+	bases_place(g, 0.0f);
 	cni_dummy_stand(g->world);
 	if (g->c->damps)
 		cni_sparse_clear(g->sparse, g->c);
@@ -574,10 +604,11 @@ static int32_t rattle_run(rattle_step *g, const cni_solve *s, cni_component *c, 
 static void component_run(cn_world *world, const cni_solve *s, cni_component *c)
 {
 	rattle_step g = { world, s->direct, c, cni_motions(world), s->h,
-		CNI_RATTLE_CLOSED * world->settings.length_unit, 0.0f, 0.5f, 0.0f, 0.0f };
+		CNI_RATTLE_CLOSED * world->settings.length_unit, 0.0f, 0.5f, 0.0f, 0.0f, 0.0f, 0 };
 	float rods, last_h = s->warm_scale > 0.0f ? s->h / s->warm_scale : s->h; /* substep of the records' impulses */
 	cni_joint_trust trust = trust_read(&g);
 	int32_t projects;
+	g.has_bases = has_bases(&g);
 	cni_direct_rotations(world, g.sparse, c);
 	rods = cni_geometric_stiffness_rods(world, g.sparse, c, last_h);
 	cni_geometric_stiffness_find(world, g.sparse, c, last_h);
@@ -595,6 +626,7 @@ static void component_run(cn_world *world, const cni_solve *s, cni_component *c)
 		}
 	}
 	trust_write(&g, &trust);
+	bases_place(&g, 0.0f); /* the substeps move them */
 	bodies_finish(&g);
 	constraints_finish(&g, s);
 }

@@ -179,6 +179,8 @@ CNI_TUNING_FLOAT(CNI_DIRECT_LEAK, 1e-5f)
 /* Length units. Joints that are open by more are soft, with those that are joined to them. With 0.12 ropes over pegs that were torn in an impact
    open by 13% more, as they are soft under their loads and stay open. */
 CNI_TUNING_FLOAT(CNI_JOINT_TORN, 0.25f)
+/* Length units. A loop between fixed bodies that was soft stays so while a joint is open by more, unless RATTLE closes it. */
+CNI_TUNING_FLOAT(CNI_LOOP_OPEN, 0.002f)
 /* Radians, or metres. A joint that is farther beyond a limit, under ten times CNI_SOFT_STRESS, is held there by others. */
 CNI_TUNING_FLOAT(CNI_LIMIT_FORCED, 0.01f)
 /* Changes of the active set of joint rows in a pass. */

@@ -71,6 +71,40 @@ static void build_bridge(scene *s)
 	add_floor(s);
 }
 
+/* 15 to 100 planks of 1 x 0.25 m in a straight row between two walls, or two kinematic bodies; pins plain, with friction (a motor of speed 0),
+   driven, with limits, or every third a weld; one to eight discs of 0.5 to 5 times a plank's mass fall on them. Half of the seeds last 8 s, others 20 s:
+   what touches it is gone then, and some rest on it. */
+static void build_taut_bridge(scene *s)
+{
+	int32_t planks = pick_int_log(s, 15, 100), loads = pick_int(s, 1, 8), kind = pick_int(s, 0, 4), ends = chance(s, 0.3), k, previous = WORLD, last = WORLD;
+	double left = -0.5 * (double)planks, mass = 0.25 * pick_log(s, 0.5, 5.0), torque = pick_log(s, 1.0, 2000.0);
+	s->friction = pick(s, 0.2, 1.0);
+	s->motor_speed = kind == 2 ? pick(s, -0.3, 0.3) : 0.0;
+	s->flags |= kind == 1 || kind == 2 ? (uint32_t)SCENE_NO_ENERGY : 0u;
+	if (ends) {
+		previous = add_box(s, CN_BODY_KINEMATIC, left - 0.6, 20.0, 0.0, 0.5, 0.5);
+		last = add_box(s, CN_BODY_KINEMATIC, -left + 0.6, 20.0, 0.0, 0.5, 0.5);
+	}
+	for (k = 0; k <= planks; ++k) {
+		int32_t next = k < planks ? add_box(s, CN_BODY_DYNAMIC, left + (double)k + 0.5, 20.0, 0.0, 0.49, 0.125) : previous, a = k < planks ? previous : last;
+		s->motor_max = kind == 1 || kind == 2 ? 0.01 * torque : 0.0;
+		if (kind == 4 && k % 3 == 1)
+			add_weld(s, a, next, left + (double)k, 20.0);
+		else if (kind == 3)
+			add_pin_limited(s, a, next, left + (double)k, 20.0, -0.5, 0.5);
+		else
+			add_pin(s, a, next, left + (double)k, 20.0);
+		s->motor_max = 0.0;
+		previous = next;
+	}
+	set_mass(s, mass, PI * 0.25);
+	for (k = 0; k < loads; ++k)
+		add_disc(s, CN_BODY_DYNAMIC, left + (double)planks * (0.2 + 0.6 * (double)k / (double)loads), 22.0 + 2.0 * (double)k, 0.5);
+	s->density = 1.0;
+	add_floor(s);
+	s->seconds = chance(s, 0.5) ? 8.0 : 20.0;
+}
+
 /* 2 to 30 rods of 0.3 to 1 m, pinned in a row to the world, a load of 1 to 2000 times a rod's mass at the end; released level
    or at up to 0.6 rad from it, and let go. Half of the seeds last 4 s, others 8, 20 and 60 s. */
 static void build_chain(scene *s)
@@ -136,6 +170,7 @@ static void build_chain_heap(scene *s)
 const family rope_families[] = {
 	{ "rope_peg", build_rope_peg, 0 },
 	{ "bridge", build_bridge, 0 },
+	{ "taut_bridge", build_taut_bridge, 0 },
 	{ "chain", build_chain, 0 },
 	{ "chain_heap", build_chain_heap, 0 },
 };

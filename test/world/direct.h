@@ -7,7 +7,7 @@
 
 #include "joints.h"
 
-#define PARTS_MOST 96
+#define PARTS_MOST 128
 
 /* A world, its bodies and its joints in order of making. */
 typedef struct scene {

@@ -1,6 +1,6 @@
 /*
  * test/world/redundant_joints_test.c - joints that say the same as others, or contradict them: coupled wheels, straight bridges, welded arches,
- * parts that are held beyond a limit.
+ * parts that are held beyond a limit; chains on kinematic bodies.
  *
  * If a test here fails, run world/direct and world/mechanism first. Then look at rattle_begin and is_contradictory in direct/direct_joints.c, and
  * at cni_sparse_is_redundant in linear/sparse_solve.c.
@@ -170,8 +170,110 @@ static void what_is_held_beyond_a_limit_is_let_go_calmly(void)
 	CHECK_LE("speed of an arm that was held beyond its limit / with soft constraints", worst, 1.1, "");
 }
 
+/* ---- straight bridges ---- */
+
+static void bridge_joint_add(scene *s, int32_t k, int32_t planks, float torque, int32_t welds)
+{
+	cn_body a = k > 0 ? s->bodies[k - 1] : 0, b = k < planks ? s->bodies[k] : 0;
+	cn_vec2 anchor_a = k > 0 ? at(0.5f, 0.0f) : at(0.0f, 20.0f), anchor_b = k < planks ? at(-0.5f, 0.0f) : at((float)planks, 20.0f);
+	cn_revolute_def pin_def = revolute_def(a, anchor_a, b, anchor_b);
+	cn_fixed_def weld;
+	cn_fixed_def_init(&weld);
+	connect(&weld.base, a, anchor_a, b, anchor_b);
+	if (torque > 0.0f)
+		pin_def.base.flags |= CN_JOINT_MOTOR;
+	pin_def.motor_torque_max_Nm = torque;
+	if (welds && k % 3 == 1)
+		must(cn_joint_create_fixed(s->world, &weld, &s->joints[s->joint_count++]), s->world, "cn_joint_create_fixed");
+	else
+		must(cn_joint_create_revolute(s->world, &pin_def, &s->joints[s->joint_count++]), s->world, "cn_joint_create_revolute");
+}
+
+/* 96 planks in a row between two walls, whose pins have friction (motors of speed 0 and this torque), or are welds in part; discs fall on it and
+   roll off. Returns the speed of its fastest plank in 12 s. */
+static double bridge_speed(float torque, int32_t welds, int32_t discs)
+{
+	enum { PLANKS = 96 };
+	scene s = scene_open(10.0, 1, CN_SOLVER_AUTO);
+	double most = 0.0;
+	int32_t k;
+	for (k = 0; k < PLANKS; ++k)
+		keep(&s, fixture_box(s.world, CN_BODY_DYNAMIC, (float)k + 0.5f, 20.0f, 0.0f, 0.5f, 0.125f, 0.6f, 0.0f));
+	for (k = 0; k <= PLANKS; ++k)
+		bridge_joint_add(&s, k, PLANKS, torque, welds);
+	for (k = 0; k < discs; ++k)
+		fixture_circle(s.world, CN_BODY_DYNAMIC, (float)PLANKS * (0.2f + 0.6f * (float)k / (float)discs), 22.0f + 2.0f * (float)k, 0.5f, 0.6f, 0.0f);
+	for (k = 0; k < 720; ++k) {
+		fixture_step(s.world, 1);
+		most = fmax(most, fastest_of(&s, s.bodies, PLANKS));
+	}
+	scene_close(&s);
+	return most;
+}
+
+/* When nothing touches them any more, soft joints have opened by centimetres. Exact ones cannot close them: no force shortens a straight row. */
+static void straight_bridges_are_not_thrown(void)
+{
+	double friction = 0.0, welded = 0.0;
+	int32_t k;
+	for (k = 0; k < 3; ++k) {
+		friction = fmax(friction, bridge_speed(powf(7.0f, (float)k), 0, 4));
+		welded = fmax(welded, bridge_speed(0.0f, 1, 2 + 2 * k));
+	}
+	CHECK_LE("fastest plank of bridges with friction", friction, 30.0, "m/s");
+	CHECK_LE("... welded in part", welded, 30.0, "m/s");
+}
+
+/* ---- kinematic ends ---- */
+
+#define PI_3 1.0471976f
+
+/* A chain, 30 degrees from hanging at the start, that swings from a body that moves at this velocity. Returns the greatest change of its energy in 10 s, seen from there, of what it
+   had. */
+static double chain_energy_change(int32_t type, float vx, float vy)
+{
+	scene s = scene_open(10.0, 0, CN_SOLVER_AUTO);
+	cn_body base = fixture_box(s.world, type, 0.0f, 0.0f, 0.0f, 0.1f, 0.1f, 0.5f, 0.0f);
+	double start = 0.0, most = 0.0;
+	int32_t k, i;
+	if (type == CN_BODY_KINEMATIC)
+		fixture_set_velocity(s.world, base, vx, vy, 0.0f);
+	for (k = 0; k < 3; ++k) {
+		keep(&s, fixture_box(s.world, CN_BODY_DYNAMIC, 0.5f * (0.5f + (float)k), -0.866f * (0.5f + (float)k), -PI_3, 0.4f, 0.05f, 0.5f, 0.0f));
+		pin(&s, k > 0 ? s.bodies[k - 1] : base, at(k > 0 ? 0.5f : 0.0f, 0.0f), s.bodies[k], at(-0.5f, 0.0f));
+		fixture_set_velocity(s.world, s.bodies[k], vx, vy, 0.0f);
+	}
+	for (k = 0; k <= 600; ++k) {
+		double sum = 0.0, height = (double)k * (double)vy / 60.0;
+		for (i = 0; i < 3; ++i) {
+			cn_velocity v = fixture_velocity(s.world, s.bodies[i]);
+			cn_mass_data mass;
+			must(cn_body_get_mass_data(s.world, s.bodies[i], &mass), s.world, "cn_body_get_mass_data");
+			sum += 0.5 * (double)mass.mass_kg * (pow((double)(v.linear_mps.x - vx), 2.0) + pow((double)(v.linear_mps.y - vy), 2.0));
+			sum += 0.5 * (double)mass.inertia_kgm2 * pow((double)v.angular_radps, 2.0) +
+			       10.0 * (double)mass.mass_kg * ((double)fixture_pose(s.world, s.bodies[i]).position_m.y - height + 3.0);
+		}
+		start = k == 0 ? sum : start;
+		most = fmax(most, fabs(sum - start) / start);
+		fixture_step(s.world, 1);
+	}
+	scene_close(&s);
+	return most;
+}
+
+static void chains_swing_from_moving_bodies_as_from_fixed_ones(void)
+{
+	double fixed = chain_energy_change(CN_BODY_STATIC, 0.0f, 0.0f);
+	CHECK_LE("greatest change of energy of a chain in 10 s", fixed, 1e-4, "");
+	CHECK_LE("... that hangs on a kinematic body", chain_energy_change(CN_BODY_KINEMATIC, 0.0f, 0.0f), fixed, "");
+	CHECK_LE("... that moves sideways", chain_energy_change(CN_BODY_KINEMATIC, 3.0f, 0.0f), 1e-4, "");
+	CHECK_LE("... that moves upwards", chain_energy_change(CN_BODY_KINEMATIC, 1.0f, 2.0f), 1e-4, "");
+}
+
 int main(void)
 {
+	RUN(straight_bridges_are_not_thrown);
+	RUN(chains_swing_from_moving_bodies_as_from_fixed_ones);
 	RUN(coupled_wheels_turn_on);
 	RUN(straight_bridges_rest);
 	RUN(welded_arches_bear_themselves);
