@@ -2,6 +2,7 @@
  * model/soft_constraint.c - coefficients of soft constraints and springs from their frequency, damping ratio and substep.
  */
 #include "model/solve.h"
+#include "model/tuning.h"
 
 cni_soft cni_soft_implicit(float hertz, float damping_ratio, float h)
 {
@@ -65,15 +66,16 @@ static float spring_memory(float pull, float det, float wh)
  *   D = e^(-2 zeta w h)     T = 2 e^(-zeta w h) cos(w_d h)
  * Comparing coefficients:
  *   m = D r     b = 1 - D + r (2 D - T)     h a = (1 + D - T)(1 - r)
- * Springs stiffer than the rigid joints of model/solve.h, 1/(4h), get the stiffness of those: beyond the substep's resolution
- * their waves alias.
+ * A body on several springs has waves several times as fast. Where these may be beyond the substep's resolution, springs are implicit, which loses
+ * energy instead of gaining it: a lattice of discs with eight springs each reached 250 to 400 m/s. Springs stiffer than rigid joints may be, 1/(4h),
+ * get the stiffness of those.
  */
 cni_soft cni_soft_exact(float hertz, float damping_ratio, float h)
 {
-	float wh = cni_min(2.0f * CNI_PI * hertz * h, 0.5f * CNI_PI), pull, decay, r;
+	float wh = 2.0f * CNI_PI * hertz * h, pull, decay, r;
 	cni_soft soft = { 0.0f, 0.0f, 1.0f };
-	if (!CNI_ON(EXACT_SPRINGS))
-		return cni_soft_implicit(hertz, damping_ratio, h);
+	if (!CNI_ON(EXACT_SPRINGS) || wh > CNI_SPRING_TURN_MOST)
+		return cni_soft_implicit(cni_min(hertz, 0.25f / h), damping_ratio, h);
 	if (wh < 1e-12f)
 		return soft;
 	decay = decay_of(2.0f * damping_ratio * wh);

@@ -368,6 +368,8 @@ CNI_TUNING_FLOAT(CNI_STEADY_ACCELERATION, 12e-3f)
 /* Limit of the ratio of a step to the one before, by which warm start impulses scale; see step/solve_make.c. Walls fell with 4 when a
    step was 0.2 to 1.8 times the mean (a ratio of 9). */
 CNI_TUNING_FLOAT(CNI_WARM_STEP_RATIO_MAX, 20.0f)
+/* Radians of its oscillation in a substep, up to which a spring is exact. */
+CNI_TUNING_FLOAT(CNI_SPRING_TURN_MOST, 0.7f)
 /* Seconds in which the longest step of late is forgotten. */
 CNI_TUNING_FLOAT(CNI_LONGEST_STEP_S, 8.0f)
 /* Hertz. Soft joints are no softer after a rare long step. */
