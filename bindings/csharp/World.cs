@@ -144,7 +144,8 @@ namespace Cairn
 		/// <summary>CN_SOLVER_AUTO aims at errors below this, &gt;= 0; CN_DEFAULT (default): 0.005 x length unit</summary>
 		public float AccuracyM;
 		/// <summary>limit of direct solving in a step, in factored blocks (joints, contacts and their fill), substeps
-		/// included, about 10 ns each; 1 to 1e9; CN_DEFAULT (default): the limits of single islands only</summary>
+		/// included, about 10 ns each; 1 to 1e9; CN_DEFAULT (default): the limits of single islands, and with
+		/// CN_SOLVER_AUTO 512 contacts of a world</summary>
 		public int WorkBudget;
 		/// <summary>slower impacts do not bounce, &gt;= 0; CN_DEFAULT (default): 1 x length unit</summary>
 		public float RestitutionThresholdMps;

@@ -289,7 +289,8 @@ type WorldDef struct {
 	// CN_SOLVER_AUTO aims at errors below this, >= 0; CN_DEFAULT (default): 0.005 x length unit
 	AccuracyM float32
 	// limit of direct solving in a step, in factored blocks (joints, contacts and their fill), substeps
-	// included, about 10 ns each; 1 to 1e9; CN_DEFAULT (default): the limits of single islands only
+	// included, about 10 ns each; 1 to 1e9; CN_DEFAULT (default): the limits of single islands, and with
+	// CN_SOLVER_AUTO 512 contacts of a world
 	WorkBudget int32
 	// slower impacts do not bounce, >= 0; CN_DEFAULT (default): 1 x length unit
 	RestitutionThresholdMps float32

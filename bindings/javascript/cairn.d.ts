@@ -273,7 +273,8 @@ export interface WorldDef {
 	/** CN_SOLVER_AUTO aims at errors below this, >= 0; CN_DEFAULT (default): 0.005 x length unit */
 	accuracy_m: number;
 	/** limit of direct solving in a step, in factored blocks (joints, contacts and their fill), substeps
-	included, about 10 ns each; 1 to 1e9; CN_DEFAULT (default): the limits of single islands only */
+	included, about 10 ns each; 1 to 1e9; CN_DEFAULT (default): the limits of single islands, and with
+	CN_SOLVER_AUTO 512 contacts of a world */
 	work_budget: number;
 	/** slower impacts do not bounce, >= 0; CN_DEFAULT (default): 1 x length unit */
 	restitution_threshold_mps: number;
