@@ -39,7 +39,7 @@ uint64_t cni_gravity_preload_bytes(int32_t bodies);
    would crush such a contact: direct/solver_selection.c solves it directly. */
 int32_t cni_is_stressed(const cn_world *world, int32_t ia, int32_t ib, float impulse, float h, float part);
 /* Velocity of what carries the island as it was when first asked in this step: of a kinematic body that its bodies touch or are jointed to,
-   that does not turn, and with which they move; zero if there is none. In this frame a pile on a lift is at rest. */
+   that hardly turns, and with which they move; zero if there is none. In this frame a pile on a lift is at rest. */
 cni_vec2 cni_island_frame(const cn_world *world, cni_island *i);
 /* Do the awake island's bodies move in its frame, and their farthest points turn, at this speed at most? */
 int32_t cni_island_is_slower(const cn_world *world, cni_island *i, float most);

@@ -23,26 +23,26 @@ static int32_t bodies_are_slower(const cn_world *world, const cni_island *i, cni
 
 /* ---- what carries an island ---- */
 
-/* Does the body move without turning, and carry others? Stores its velocity. */
-static int32_t carries(const cn_world *world, int32_t body, cni_vec2 *velocity)
+/* Is the body kinematic, and moves without turning, but for rounding? Stores its velocity where the other one is. */
+static int32_t carries(const cn_world *world, int32_t body, const cni_body *other, cni_vec2 *velocity)
 {
 	const cni_body *b = body == CNI_NONE ? NULL : cni_body_at(world, body);
 	const cni_motion *m;
 	if (b == NULL || b->type != CN_BODY_KINEMATIC || b->awake == CNI_NONE)
 		return 0;
 	m = cni_motions(world) + b->awake;
-	*velocity = cni_v(m->vx, m->vy);
-	return m->w == 0.0f && (m->vx != 0.0f || m->vy != 0.0f);
+	*velocity = cni_v(m->vx - m->w * (other->cy - b->cy), m->vy + m->w * (other->cx - b->cx));
+	return cni_abs(m->w) <= CNI_CARRIER_SPIN && (m->vx != 0.0f || m->vy != 0.0f);
 }
 
 static int32_t is_carried(const cn_world *world, const cni_body *b, cni_vec2 *velocity)
 {
 	int32_t key;
 	for (key = b->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1])
-		if (cni_contact_has_lane(cni_contact_of_key(world, key)) && carries(world, cni_contact_of_key(world, key)->body[1 - (key & 1)], velocity))
+		if (cni_contact_has_lane(cni_contact_of_key(world, key)) && carries(world, cni_contact_of_key(world, key)->body[1 - (key & 1)], b, velocity))
 			return 1;
 	for (key = b->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1])
-		if (carries(world, cni_joint_at(world, key >> 1)->body[1 - (key & 1)], velocity))
+		if (carries(world, cni_joint_at(world, key >> 1)->body[1 - (key & 1)], b, velocity))
 			return 1;
 	return 0;
 }

@@ -108,6 +108,7 @@ static int32_t is_slow(const cn_world *world, int32_t index, cni_vec2 frame)
 	return cni_sq(m->vx - frame.x) + cni_sq(m->vy - frame.y) <= cni_sq(world->settings.sleep_speed);
 }
 
+/* 1: all its bodies do. */
 static int32_t island_is_still(const cn_world *world, cni_island *i)
 {
 	cni_vec2 frame = cni_island_frame(world, i);
@@ -221,8 +222,10 @@ static int32_t is_leaning(const cn_world *world, const cni_contact_block *k, int
 	int32_t island = cni_awake_island(world, k->ia[l]);
 	cni_island *i = island != CNI_NONE ? cni_island_at(world, island) : NULL;
 	cni_vec2 frame;
-	if (i == NULL || i->unheld_step != 0)
-		return i != NULL;
+	if (i == NULL)
+		return 0;
+	if (i->unheld_step != 0)
+		return 1;
 	frame = cni_island_frame(world, i);
 	return is_slow(world, k->ia[l], frame) && is_slow(world, k->ib[l], frame);
 }

@@ -73,6 +73,8 @@ CNI_TUNING_FLOAT(CNI_BAD_PART, 0.1f)
 
 /* Length units a second. A faster body is not part of a quiet pile. */
 CNI_TUNING_FLOAT(CNI_PILE_QUIET_SPEED, 0.5f)
+/* Radians a second. A kinematic body that turns faster carries no pile as one that is at rest. */
+CNI_TUNING_FLOAT(CNI_CARRIER_SPIN, 1e-3f)
 /* Own weights. The soft solver crushes a body that bears more. */
 CNI_TUNING_FLOAT(CNI_PILE_STRESS_MAX, 15.0f)
 /* Part of the body's size. A body that bears s weights is stressed when s^2 g h^2 exceeds this part: it may buckle. */

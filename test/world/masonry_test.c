@@ -48,7 +48,7 @@ static void begin_moving(masonry *m, int32_t solver, int32_t substeps, uint32_t 
 	ground = fixture_floor(m->world, m->friction, 0.0f);
 	if (velocity.x != 0.0f || velocity.y != 0.0f) {
 		must(cn_body_set_type(m->world, ground, CN_BODY_KINEMATIC), m->world, "cn_body_set_type");
-		fixture_set_velocity(m->world, ground, velocity.x, velocity.y, 0.0f);
+		fixture_set_velocity(m->world, ground, velocity.x, velocity.y, 1e-6f); /* as rounding leaves it where a pose is the target */
 	}
 }
 
