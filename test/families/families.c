@@ -1,7 +1,8 @@
 /*
  * test/families/families.c - runs every family for many seeds, judges the default solver against another, and reports.
  *
- * Usage: families [--family name] [--seeds n] [--first n] [--solvers auto,soft] [--substeps n] [--noise 1] [--meddle kind] [--drift mps] [--pace kind] [--monotone 1]
+ * Usage: families [--family name] [--seeds n] [--first n] [--solvers auto,soft] [--substeps n] [--noise 1] [--meddle kind] [--drift mps]
+ *                 [--pace kind] [--monotone 1]
  *                 [--confirm n] [--csv file] [--record file] [--peer name=file] [--list]
  * The README says what is judged and how.
  */

@@ -220,7 +220,7 @@ static double lattice_speed(int32_t size, float hertz, float damping, float dt, 
 	cn_world *world = fixture_world(-10.0f, 0);
 	cn_body discs[64];
 	double most = 0.0;
-	int32_t k, i;
+	int32_t k;
 	must(cn_world_set_solver(world, solver), world, "cn_world_set_solver");
 	fixture_floor(world, 0.6f, 0.0f);
 	for (k = 0; k < size * size; ++k) {
@@ -237,10 +237,7 @@ static double lattice_speed(int32_t size, float hertz, float damping, float dt, 
 	}
 	for (k = 0; k < (int32_t)(5.0f / dt); ++k) {
 		must(cn_world_step(world, dt), world, "cn_world_step");
-		for (i = 0; i < size * size; ++i) {
-			cn_vec2 v = fixture_velocity(world, discs[i]).linear_mps;
-			most = fmax(most, hypot((double)v.x, (double)v.y));
-		}
+		most = fmax(most, totals_of(world, discs, size * size).speed_most);
 	}
 	cn_world_destroy(world);
 	return most;

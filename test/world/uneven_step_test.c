@@ -4,7 +4,7 @@
  * Look at step/solve_make.c: impulses are scaled by the ratio of the steps, softness of contacts is tied to the mean step, that of joints to the
  * longest of late.
  */
-#include "fixture.h"
+#include "joints.h"
 
 #define BODIES_MOST 256
 #define STEPS 300
@@ -52,6 +52,18 @@ static void wall_build(built *b, int32_t size)
 	}
 }
 
+static built built_open(int32_t solver)
+{
+	cn_world_def def;
+	built b;
+	memset(&b, 0, sizeof b);
+	cn_world_def_init(&def);
+	def.gravity_mps2.y = -10.0f;
+	def.solver = solver;
+	must(cn_world_create(&def, &b.world), NULL, "cn_world_create");
+	return b;
+}
+
 typedef void build_fn(built *b, int32_t size);
 
 /* jitter < 0: one step in 37 takes 1/15 s. */
@@ -65,16 +77,10 @@ static float step_of(int32_t step, float jitter, uint32_t *random)
 /* Returns the farthest that a body moved; awake is added up. */
 static double run(build_fn *build, int32_t size, int32_t solver, float jitter, uint32_t seed, int32_t *awake)
 {
-	cn_world_def def;
-	built b;
+	built b = built_open(solver);
 	uint32_t random = seed * 2654435761u + 1u;
 	double most = 0.0;
 	int32_t k;
-	memset(&b, 0, sizeof b);
-	cn_world_def_init(&def);
-	def.gravity_mps2.y = -10.0f;
-	def.solver = solver;
-	must(cn_world_create(&def, &b.world), NULL, "cn_world_create");
 	fixture_floor(b.world, 0.6f, 0.0f);
 	build(&b, size);
 	for (k = 0; k < STEPS; ++k)
@@ -149,67 +155,35 @@ static cn_body planks_build(built *b, int32_t planks, float left)
 	cn_body last = 0;
 	int32_t k;
 	for (k = 0; k < planks; ++k) {
-		cn_revolute_def pin;
-		cn_joint joint;
 		box_add(b, left + (float)k + 0.5f, 20.0f, 0.5f, 0.125f);
-		cn_revolute_def_init(&pin);
-		pin.base.body_a = last;
-		pin.base.body_b = b->bodies[k];
-		pin.base.anchor_a_m.x = last != 0 ? 0.5f : left;
-		pin.base.anchor_a_m.y = last != 0 ? 0.0f : 20.0f;
-		pin.base.anchor_b_m.x = -0.5f;
-		must(cn_joint_create_revolute(b->world, &pin, &joint), b->world, "cn_joint_create_revolute");
+		(void)hinge(b->world, last, last != 0 ? at(0.5f, 0.0f) : at(left, 20.0f), b->bodies[k], at(-0.5f, 0.0f));
 		last = b->bodies[k];
 	}
 	return last;
-}
-
-/* The end of the last plank, 0.5 m from its middle, is pinned to a body (0: the world) at a point of it. */
-static void end_pin(cn_world *world, cn_body plank, cn_body body, float x, float y)
-{
-	cn_revolute_def pin;
-	cn_joint joint;
-	cn_revolute_def_init(&pin);
-	pin.base.body_a = body;
-	pin.base.body_b = plank;
-	pin.base.anchor_a_m.x = x;
-	pin.base.anchor_a_m.y = y;
-	pin.base.anchor_b_m.x = 0.5f;
-	must(cn_joint_create_revolute(world, &pin, &joint), world, "cn_joint_create_revolute");
 }
 
 /* A taut bridge between two walls, onto which balls fall; or a chain of planks that falls with a ball of 90 times the weight of a plank at its
    end. Returns the speed of the fastest plank in ten seconds. */
 static double fastest_plank(int32_t planks, int32_t ball, int32_t solver, int32_t pace)
 {
-	cn_world_def def;
-	built b;
+	built b = built_open(solver);
 	cn_body last;
 	uint32_t random = 12345u;
 	double most = 0.0, now_s = 0.0;
 	float left = -0.5f * (float)planks;
 	int32_t k;
-	memset(&b, 0, sizeof b);
-	cn_world_def_init(&def);
-	def.gravity_mps2.y = -10.0f;
-	def.solver = solver;
-	must(cn_world_create(&def, &b.world), NULL, "cn_world_create");
 	last = planks_build(&b, planks, left);
 	if (ball)
-		end_pin(b.world, last, fixture_circle(b.world, CN_BODY_DYNAMIC, 2.7f - left, 20.0f, 2.7f, 0.6f, 0.0f), -2.7f, 0.0f);
+		(void)hinge(b.world, last, at(0.5f, 0.0f), fixture_circle(b.world, CN_BODY_DYNAMIC, 2.7f - left, 20.0f, 2.7f, 0.6f, 0.0f), at(-2.7f, 0.0f));
 	else
-		end_pin(b.world, last, 0, -left, 20.0f);
+		(void)hinge(b.world, last, at(0.5f, 0.0f), 0, at(-left, 20.0f));
 	for (k = 0; k < 3 && !ball; ++k)
 		fixture_circle(b.world, CN_BODY_DYNAMIC, left + (float)planks * (0.2f + 0.2f * (float)k), 22.0f + 2.0f * (float)k, 0.5f, 0.6f, 0.0f);
 	for (k = 0; now_s < 10.0; ++k) {
 		float dt = frame_of(pace, k, now_s, &random);
-		int32_t i;
 		must(cn_world_step(b.world, dt), b.world, "cn_world_step");
 		now_s += (double)dt;
-		for (i = 0; i < planks; ++i) {
-			cn_velocity v = fixture_velocity(b.world, b.bodies[i]);
-			most = greater(most, hypot((double)v.linear_mps.x, (double)v.linear_mps.y));
-		}
+		most = greater(most, totals_of(b.world, b.bodies, planks).speed_most);
 	}
 	cn_world_destroy(b.world);
 	return most;
