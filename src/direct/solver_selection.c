@@ -8,6 +8,7 @@
  *   - when a contact overlaps by more than a tenth of it, or is new, and carries or may carry more than soft contacts can, or is
  *     between bodies that lean;
  *   - when the top-down sweep left some body unsupported.
+ * One whose bodies have yet to meet waits: exact contacts let them fall until their gaps have closed, each step anew.
  * It stays direct until it has been good for a while or, where bodies lean on each other, until it sleeps; its loads are then exact, and
  * the soft solver starts from them. The stay grows fourfold each time the island turns bad again. An island is barred for a time, longer
  * each time, when its system was refused for its work or its kind, when no solution was found, or when it falls.
@@ -119,6 +120,29 @@ static int32_t island_is_still(const cn_world *world, cni_island *i)
 	return 1;
 }
 
+static float overlap(const cni_contact_block *k, int32_t l)
+{
+	return cni_max(k->p[0].nm[l] > 0.0f ? -k->p[0].s0[l] : -FLT_MAX, k->p[1].nm[l] > 0.0f ? -k->p[1].s0[l] : -FLT_MAX);
+}
+
+/* 1: its bodies have yet to meet: no contact bears anything, and many have a small gap. */
+static int32_t island_is_meeting(const cn_world *world, const cni_island *i)
+{
+	int32_t body, key, gaps = 0;
+	for (body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
+		for (key = cni_body_at(world, body)->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
+			const cni_contact *c = cni_contact_of_key(world, key);
+			const cni_contact_block *k = cni_contact_has_lane(c) ? cni_block_at(world, c->slot / CNI_LANES) : NULL;
+			int32_t l = c->slot % CNI_LANES;
+			if (k == NULL)
+				continue;
+			if (k->p[0].jn[l] + k->p[1].jn[l] > 0.0f)
+				return 0;
+			gaps += overlap(k, l) < -0.1f * world->settings.slop && overlap(k, l) > -world->settings.slop;
+		}
+	return 2 * gaps > i->count;
+}
+
 /* 0: the island moves and may soon be another one. Most islands of a heap that is being poured live for some steps, and planning
    their systems costs more than the steps that are solved by them. */
 static int32_t island_has_waited(const cn_world *world, cni_island *i)
@@ -156,6 +180,10 @@ static void island_mark_bad(cn_world *world, int32_t island, int32_t reason)
 		i->reason = CN_TIER_REASON_JOINTED;
 	else if (cni_cone_debt(world, i) > CNI_CONE_DEBT)
 		i->reason = i->reason == CN_TIER_REASON_NO_SET ? CN_TIER_REASON_NO_SET : CN_TIER_REASON_MOVING; /* what it owes for */
+	else if (island_is_meeting(world, i)) {
+		cni_island_refuse(world, island, CN_TIER_REASON_MOVING);
+		i->refused_steps = CNI_SELECTION_MEET_STEPS;
+	}
 	else if (!island_has_waited(world, i))
 		i->reason = CN_TIER_REASON_MOVING;
 	else
@@ -196,11 +224,6 @@ void cni_island_refuse(cn_world *world, int32_t island, int32_t reason)
 }
 
 /* ---- the search for bad contacts ---- */
-
-static float overlap(const cni_contact_block *k, int32_t l)
-{
-	return cni_max(k->p[0].nm[l] > 0.0f ? -k->p[0].s0[l] : -FLT_MAX, k->p[1].nm[l] > 0.0f ? -k->p[1].s0[l] : -FLT_MAX);
-}
 
 static int32_t lane_is_new(const cni_contact_block *k, int32_t l, float slop)
 {

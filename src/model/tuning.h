@@ -350,6 +350,8 @@ CNI_TUNING_COUNT(CNI_SELECTION_FORGET_FACTOR, 8)
 CNI_TUNING_COUNT(CNI_SELECTION_FALL_STEPS, 8)
 /* Steps in a row in which an island that still moves must need direct solving and be quiet. */
 CNI_TUNING_COUNT(CNI_SELECTION_WAIT_STEPS, 8)
+/* Steps for which an island stays soft whose bodies have yet to meet: as long as houses of cards take to settle. */
+CNI_TUNING_COUNT(CNI_SELECTION_MEET_STEPS, 30)
 /* Mass ratio from which a body may crush a lighter one below it. */
 CNI_TUNING_FLOAT(CNI_SELECTION_MASS_RATIO, 5.0f)
 
