@@ -971,8 +971,8 @@ public:
 		return { Status(code, world_), Shape(out_shape) };
 	}
 
-	/// Attaches an unattached shape to a body and wakes the body. CN_ERROR_STATE if the shape has a body.
-	/// O(shapes of the body + edges of a chain).
+	/// Attaches an unattached shape to a body and wakes the body, or those that meet the shape of a static one.
+	/// CN_ERROR_STATE if the shape has a body. O(shapes of the body + edges of a chain).
 	Status shape_attach(Shape shape, Body body)
 	{
 		return Status(cn_shape_attach(world_, shape, body), world_);
@@ -1226,7 +1226,8 @@ public:
 	}
 
 	/// The sensor events of the last step, in a deterministic order; every ENTER gets a LEAVE as for contact
-	/// events. Sensors detect non-sensor shapes of dynamic and kinematic bodies by exact overlap.
+	/// events; a chain has one of each for all its edges. Sensors detect non-sensor shapes of dynamic and
+	/// kinematic bodies by exact overlap.
 	Result<Slice<const cn_sensor_event>> sensor_events() const
 	{
 		const cn_sensor_event *data = nullptr;
@@ -1235,8 +1236,9 @@ public:
 		return { Status(code, nullptr), Slice<const cn_sensor_event>(data, static_cast<std::size_t>(count)) };
 	}
 
-	/// The body's contacts as events of kind STAY (touching) or CREATED (not touching). Writes at most capacity
-	/// (>= 0); out may be NULL when capacity is 0. *out_count is their number. O(contacts).
+	/// The body's contacts as events of kind STAY (touching) or CREATED (not touching), without those of
+	/// sensors: see cn_shape_get_visitors. Writes at most capacity (>= 0); out may be NULL when capacity is 0.
+	/// *out_count is their number. O(contacts).
 	Result<std::vector<cn_contact_event>> body_get_contacts(Body body) const
 	{
 		std::vector<cn_contact_event> list;
@@ -1981,9 +1983,9 @@ public:
 		return { Status(code, nullptr), std::move(out_out) };
 	}
 
-	/// Shapes whose AABBs, without margin, overlap a box, in the order of cn_world_get_shapes, a chain once. The
-	/// first capacity (>= 0) are written; *out_count is the number found. filter may be NULL. O(log shapes) to
-	/// O(boxes in the region).
+	/// Shapes whose AABBs, without margin, overlap a box, of a chain those of its edges, in the order of
+	/// cn_world_get_shapes, each once. The first capacity (>= 0) are written; *out_count is the number found.
+	/// filter may be NULL. O(log shapes) to O(boxes in the region).
 	Result<std::vector<cn_shape>> overlap_aabb(const cn_aabb &box, const cn_query_filter *filter) const
 	{
 		std::vector<cn_shape> list;

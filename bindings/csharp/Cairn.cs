@@ -690,7 +690,7 @@ namespace Cairn
 		public float stiffness_hertz;
 		/// <summary>used with a stiffness_hertz; 0 to 1e6, default 0</summary>
 		public float stiffness_damping_ratio;
-		/// <summary>greatest force of anchors, axes and limits, &gt; 0; CN_DEFAULT (default): unbounded</summary>
+		/// <summary>greatest force of each: anchor, axis, limit; &gt; 0; CN_DEFAULT (default): unbounded</summary>
 		public float force_max_N;
 		/// <summary>greatest torque of angles, &gt; 0; CN_DEFAULT (default): unbounded</summary>
 		public float torque_max_Nm;
@@ -2251,8 +2251,8 @@ namespace Cairn
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_shape_create_chain(cn_world* world, cn_shape_def* def, cn_chain* chain, cn_shape* out_shape);
 
-		/// <summary>Attaches an unattached shape to a body and wakes the body. CN_ERROR_STATE if the shape has a body.
-		/// O(shapes of the body + edges of a chain).</summary>
+		/// <summary>Attaches an unattached shape to a body and wakes the body, or those that meet the shape of a static one.
+		/// CN_ERROR_STATE if the shape has a body. O(shapes of the body + edges of a chain).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_shape_attach(cn_world* world, cn_shape shape, cn_body body);
 
@@ -2473,12 +2473,14 @@ namespace Cairn
 		public static extern int cn_world_set_material_mix_callback(cn_world* world, IntPtr function, void* user);
 
 		/// <summary>The sensor events of the last step, in a deterministic order; every ENTER gets a LEAVE as for contact
-		/// events. Sensors detect non-sensor shapes of dynamic and kinematic bodies by exact overlap.</summary>
+		/// events; a chain has one of each for all its edges. Sensors detect non-sensor shapes of dynamic and
+		/// kinematic bodies by exact overlap.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_sensor_events(cn_world* world, cn_sensor_event** out_events, int* out_count);
 
-		/// <summary>The body's contacts as events of kind STAY (touching) or CREATED (not touching). Writes at most capacity
-		/// (&gt;= 0); out may be NULL when capacity is 0. *out_count is their number. O(contacts).</summary>
+		/// <summary>The body's contacts as events of kind STAY (touching) or CREATED (not touching), without those of
+		/// sensors: see cn_shape_get_visitors. Writes at most capacity (&gt;= 0); out may be NULL when capacity is
+		/// 0. *out_count is their number. O(contacts).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_get_contacts(cn_world* world, cn_body body, cn_contact_event* @out, int capacity, int* out_count);
 
@@ -2979,9 +2981,9 @@ namespace Cairn
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_cast_shape(cn_world* world, cn_polygon* shape, float translation_x_m, float translation_y_m, cn_query_filter* filter, cn_ray_hit* @out);
 
-		/// <summary>Shapes whose AABBs, without margin, overlap a box, in the order of cn_world_get_shapes, a chain once.
-		/// The first capacity (&gt;= 0) are written; *out_count is the number found. filter may be NULL. O(log
-		/// shapes) to O(boxes in the region).</summary>
+		/// <summary>Shapes whose AABBs, without margin, overlap a box, of a chain those of its edges, in the order of
+		/// cn_world_get_shapes, each once. The first capacity (&gt;= 0) are written; *out_count is the number
+		/// found. filter may be NULL. O(log shapes) to O(boxes in the region).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_overlap_aabb(cn_world* world, cn_aabb* box, cn_query_filter* filter, cn_shape* @out, int capacity, int* out_count);
 

@@ -636,7 +636,7 @@ namespace Cairn
 		public float StiffnessHertz;
 		/// <summary>used with a stiffness_hertz; 0 to 1e6, default 0</summary>
 		public float StiffnessDampingRatio;
-		/// <summary>greatest force of anchors, axes and limits, &gt; 0; CN_DEFAULT (default): unbounded</summary>
+		/// <summary>greatest force of each: anchor, axis, limit; &gt; 0; CN_DEFAULT (default): unbounded</summary>
 		public float ForceMaxN;
 		/// <summary>greatest torque of angles, &gt; 0; CN_DEFAULT (default): unbounded</summary>
 		public float TorqueMaxNm;
@@ -2427,8 +2427,8 @@ namespace Cairn
 			return *(Shape*)&out0;
 		}
 
-		/// <summary>Attaches an unattached shape to a body and wakes the body. CN_ERROR_STATE if the shape has a body.
-		/// O(shapes of the body + edges of a chain).</summary>
+		/// <summary>Attaches an unattached shape to a body and wakes the body, or those that meet the shape of a static one.
+		/// CN_ERROR_STATE if the shape has a body. O(shapes of the body + edges of a chain).</summary>
 		public void ShapeAttach(Shape shape, Body body)
 		{
 			Call.Check(Native.cn_shape_attach(Pointer, (cn_shape)shape, (cn_body)body), Pointer);
@@ -2710,7 +2710,8 @@ namespace Cairn
 		}
 
 		/// <summary>The sensor events of the last step, in a deterministic order; every ENTER gets a LEAVE as for contact
-		/// events. Sensors detect non-sensor shapes of dynamic and kinematic bodies by exact overlap.</summary>
+		/// events; a chain has one of each for all its edges. Sensors detect non-sensor shapes of dynamic and
+		/// kinematic bodies by exact overlap.</summary>
 		public SensorEvent[] SensorEvents()
 		{
 			cn_sensor_event* data;
@@ -2721,8 +2722,9 @@ namespace Cairn
 			return result_;
 		}
 
-		/// <summary>The body's contacts as events of kind STAY (touching) or CREATED (not touching). Writes at most capacity
-		/// (&gt;= 0); out may be NULL when capacity is 0. *out_count is their number. O(contacts).</summary>
+		/// <summary>The body's contacts as events of kind STAY (touching) or CREATED (not touching), without those of
+		/// sensors: see cn_shape_get_visitors. Writes at most capacity (&gt;= 0); out may be NULL when capacity is
+		/// 0. *out_count is their number. O(contacts).</summary>
 		public ContactEvent[] BodyGetContacts(Body body)
 		{
 			int count_;
@@ -3572,9 +3574,9 @@ namespace Cairn
 			return *(RayHit*)&out0;
 		}
 
-		/// <summary>Shapes whose AABBs, without margin, overlap a box, in the order of cn_world_get_shapes, a chain once.
-		/// The first capacity (&gt;= 0) are written; *out_count is the number found. filter may be NULL. O(log
-		/// shapes) to O(boxes in the region).</summary>
+		/// <summary>Shapes whose AABBs, without margin, overlap a box, of a chain those of its edges, in the order of
+		/// cn_world_get_shapes, each once. The first capacity (&gt;= 0) are written; *out_count is the number
+		/// found. filter may be NULL. O(log shapes) to O(boxes in the region).</summary>
 		public Shape[] OverlapAabb(Aabb box, QueryFilter? filter = null)
 		{
 			QueryFilter v_filter = filter.GetValueOrDefault();

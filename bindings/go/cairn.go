@@ -768,7 +768,7 @@ type JointBase struct {
 	StiffnessHertz float32
 	// used with a stiffness_hertz; 0 to 1e6, default 0
 	StiffnessDampingRatio float32
-	// greatest force of anchors, axes and limits, > 0; CN_DEFAULT (default): unbounded
+	// greatest force of each: anchor, axis, limit; > 0; CN_DEFAULT (default): unbounded
 	ForceMaxN float32
 	// greatest torque of angles, > 0; CN_DEFAULT (default): unbounded
 	TorqueMaxNm float32
@@ -2362,8 +2362,8 @@ func (w *World) ShapeCreateBox(def *ShapeDef, half_width_m float32, half_height_
 	return out0, nil
 }
 
-// ShapeAttach: Attaches an unattached shape to a body and wakes the body. CN_ERROR_STATE if the shape has a
-// body. O(shapes of the body + edges of a chain).
+// ShapeAttach: Attaches an unattached shape to a body and wakes the body, or those that meet the shape of a
+// static one. CN_ERROR_STATE if the shape has a body. O(shapes of the body + edges of a chain).
 func (w *World) ShapeAttach(shape Shape, body Body) error {
 	defer runtime.KeepAlive(w)
 	return w.check(C.cn_shape_attach(w.c(), C.cn_shape(shape), C.cn_body(body)))
@@ -2650,7 +2650,8 @@ func (w *World) ContactEvents(kind int32) ([]ContactEvent, error) {
 }
 
 // SensorEvents: The sensor events of the last step, in a deterministic order; every ENTER gets a LEAVE as for
-// contact events. Sensors detect non-sensor shapes of dynamic and kinematic bodies by exact overlap.
+// contact events; a chain has one of each for all its edges. Sensors detect non-sensor shapes of dynamic and
+// kinematic bodies by exact overlap.
 func (w *World) SensorEvents() ([]SensorEvent, error) {
 	defer runtime.KeepAlive(w)
 	var data *C.cn_sensor_event
@@ -2661,8 +2662,9 @@ func (w *World) SensorEvents() ([]SensorEvent, error) {
 	return append([]SensorEvent(nil), unsafe.Slice((*SensorEvent)(unsafe.Pointer(data)), count)...), nil
 }
 
-// BodyGetContacts: The body's contacts as events of kind STAY (touching) or CREATED (not touching). Writes at
-// most capacity (>= 0); out may be NULL when capacity is 0. *out_count is their number. O(contacts).
+// BodyGetContacts: The body's contacts as events of kind STAY (touching) or CREATED (not touching), without
+// those of sensors: see cn_shape_get_visitors. Writes at most capacity (>= 0); out may be NULL when capacity
+// is 0. *out_count is their number. O(contacts).
 func (w *World) BodyGetContacts(body Body) ([]ContactEvent, error) {
 	defer runtime.KeepAlive(w)
 	var count C.int32_t
@@ -3542,9 +3544,9 @@ func (w *World) CastShape(shape *Polygon, translation_x_m float32, translation_y
 	return out0, nil
 }
 
-// OverlapAabb: Shapes whose AABBs, without margin, overlap a box, in the order of cn_world_get_shapes, a
-// chain once. The first capacity (>= 0) are written; *out_count is the number found. filter may be NULL.
-// O(log shapes) to O(boxes in the region).
+// OverlapAabb: Shapes whose AABBs, without margin, overlap a box, of a chain those of its edges, in the order
+// of cn_world_get_shapes, each once. The first capacity (>= 0) are written; *out_count is the number found.
+// filter may be NULL. O(log shapes) to O(boxes in the region).
 func (w *World) OverlapAabb(box *Aabb, filter *QueryFilter) ([]Shape, error) {
 	defer runtime.KeepAlive(w)
 	var count C.int32_t

@@ -680,7 +680,7 @@ export interface JointBase {
 	stiffness_hertz: number;
 	/** used with a stiffness_hertz; 0 to 1e6, default 0 */
 	stiffness_damping_ratio: number;
-	/** greatest force of anchors, axes and limits, > 0; CN_DEFAULT (default): unbounded */
+	/** greatest force of each: anchor, axis, limit; > 0; CN_DEFAULT (default): unbounded */
 	force_max_N: number;
 	/** greatest torque of angles, > 0; CN_DEFAULT (default): unbounded */
 	torque_max_Nm: number;
@@ -1469,8 +1469,8 @@ export class World {
 	/** Creates a chain; consecutive points at least 0.05% of the length unit apart. Wakes the body. out_shape
 	may be NULL. O(count). */
 	shapeCreateChain(def: In<ShapeDef>, chain: In<Chain>): Shape;
-	/** Attaches an unattached shape to a body and wakes the body. CN_ERROR_STATE if the shape has a body.
-	O(shapes of the body + edges of a chain). */
+	/** Attaches an unattached shape to a body and wakes the body, or those that meet the shape of a static one.
+	CN_ERROR_STATE if the shape has a body. O(shapes of the body + edges of a chain). */
 	shapeAttach(shape: Shape, body: Body): void;
 	/** Detaches a shape from its body, ends its contacts and wakes the body. CN_ERROR_STATE if it has no body.
 	O(contacts + shapes of the body). */
@@ -1557,10 +1557,12 @@ export class World {
 	summed only for contacts that report ENTER (in the step in which they begin), STAY or HIT. */
 	contactEvents(kind: number): ContactEvent[];
 	/** The sensor events of the last step, in a deterministic order; every ENTER gets a LEAVE as for contact
-	events. Sensors detect non-sensor shapes of dynamic and kinematic bodies by exact overlap. */
+	events; a chain has one of each for all its edges. Sensors detect non-sensor shapes of dynamic and kinematic
+	bodies by exact overlap. */
 	sensorEvents(): SensorEvent[];
-	/** The body's contacts as events of kind STAY (touching) or CREATED (not touching). Writes at most capacity
-	(>= 0); out may be NULL when capacity is 0. *out_count is their number. O(contacts). */
+	/** The body's contacts as events of kind STAY (touching) or CREATED (not touching), without those of
+	sensors: see cn_shape_get_visitors. Writes at most capacity (>= 0); out may be NULL when capacity is 0.
+	*out_count is their number. O(contacts). */
 	bodyGetContacts(body: Body): ContactEvent[];
 	/** The shape's contacts, a chain with all its edges; out, capacity, *out_count and kinds as in
 	cn_body_get_contacts. O(contacts of its body). */
@@ -1810,9 +1812,9 @@ export class World {
 	circle, capsule. A shape in contact at the start: see cn_ray_hit. A chain is met if the mean of the moving
 	points is in front of it. filter may be NULL. O(shapes along the way). */
 	castShape(shape: In<Polygon>, translation_x_m: number, translation_y_m: number, filter?: In<QueryFilter> | null): RayHit;
-	/** Shapes whose AABBs, without margin, overlap a box, in the order of cn_world_get_shapes, a chain once. The
-	first capacity (>= 0) are written; *out_count is the number found. filter may be NULL. O(log shapes) to
-	O(boxes in the region). */
+	/** Shapes whose AABBs, without margin, overlap a box, of a chain those of its edges, in the order of
+	cn_world_get_shapes, each once. The first capacity (>= 0) are written; *out_count is the number found. filter
+	may be NULL. O(log shapes) to O(boxes in the region). */
 	overlapAabb(box: In<Aabb>, filter?: In<QueryFilter> | null): Shape[];
 	/** Shapes that exactly overlap a circle; order, capacity, filter and cost as in cn_world_overlap_aabb. Edges
 	and chains are lines here, seen from both sides. */

@@ -630,7 +630,7 @@ typedef struct cn_joint_base {
 	cn_vec2 anchor_b_m; // the same for body b
 	float stiffness_hertz; // of the rigid parts, > 0, to 1e6; CN_DEFAULT (default): as stiff as the substeps permit
 	float stiffness_damping_ratio; // used with a stiffness_hertz; 0 to 1e6, default 0
-	float force_max_N; // greatest force of anchors, axes and limits, > 0; CN_DEFAULT (default): unbounded
+	float force_max_N; // greatest force of each: anchor, axis, limit; > 0; CN_DEFAULT (default): unbounded
 	float torque_max_Nm; // greatest torque of angles, > 0; CN_DEFAULT (default): unbounded
 	float break_force_N; // a reaction above this in any substep is reported (cn_world_joint_events), > 0; CN_DEFAULT (default): never
 	float break_torque_Nm; // the same for the torque
@@ -1313,8 +1313,8 @@ cn_result cn_shape_create_box(cn_world *world, const cn_shape_def *def, float ha
 // Creates a chain; consecutive points at least 0.05% of the length unit apart. Wakes the body. out_shape may
 // be NULL. O(count).
 cn_result cn_shape_create_chain(cn_world *world, const cn_shape_def *def, const cn_chain *chain, cn_shape *out_shape);
-// Attaches an unattached shape to a body and wakes the body. CN_ERROR_STATE if the shape has a body. O(shapes
-// of the body + edges of a chain).
+// Attaches an unattached shape to a body and wakes the body, or those that meet the shape of a static one.
+// CN_ERROR_STATE if the shape has a body. O(shapes of the body + edges of a chain).
 cn_result cn_shape_attach(cn_world *world, cn_shape shape, cn_body body);
 // Detaches a shape from its body, ends its contacts and wakes the body. CN_ERROR_STATE if it has no body.
 // O(contacts + shapes of the body).
@@ -1446,10 +1446,12 @@ cn_result cn_world_set_pre_solve_callback(cn_world *world, cn_pre_solve_fn *func
 // Sets the callback that mixes materials; NULL removes it.
 cn_result cn_world_set_material_mix_callback(cn_world *world, cn_material_mix_fn *function, void *user);
 // The sensor events of the last step, in a deterministic order; every ENTER gets a LEAVE as for contact
-// events. Sensors detect non-sensor shapes of dynamic and kinematic bodies by exact overlap.
+// events; a chain has one of each for all its edges. Sensors detect non-sensor shapes of dynamic and
+// kinematic bodies by exact overlap.
 cn_result cn_world_sensor_events(const cn_world *world, const cn_sensor_event **out_events, int32_t *out_count);
-// The body's contacts as events of kind STAY (touching) or CREATED (not touching). Writes at most capacity
-// (>= 0); out may be NULL when capacity is 0. *out_count is their number. O(contacts).
+// The body's contacts as events of kind STAY (touching) or CREATED (not touching), without those of sensors:
+// see cn_shape_get_visitors. Writes at most capacity (>= 0); out may be NULL when capacity is 0. *out_count
+// is their number. O(contacts).
 cn_result cn_body_get_contacts(const cn_world *world, cn_body body, cn_contact_event *out, int32_t capacity, int32_t *out_count);
 // The shape's contacts, a chain with all its edges; out, capacity, *out_count and kinds as in
 // cn_body_get_contacts. O(contacts of its body).
@@ -1720,9 +1722,9 @@ cn_result cn_shape_cast_ray(const cn_world *world, cn_shape shape, const cn_ray 
 // circle, capsule. A shape in contact at the start: see cn_ray_hit. A chain is met if the mean of the moving
 // points is in front of it. filter may be NULL. O(shapes along the way).
 cn_result cn_world_cast_shape(const cn_world *world, const cn_polygon *shape, float translation_x_m, float translation_y_m, const cn_query_filter *filter, cn_ray_hit *out);
-// Shapes whose AABBs, without margin, overlap a box, in the order of cn_world_get_shapes, a chain once. The
-// first capacity (>= 0) are written; *out_count is the number found. filter may be NULL. O(log shapes) to
-// O(boxes in the region).
+// Shapes whose AABBs, without margin, overlap a box, of a chain those of its edges, in the order of
+// cn_world_get_shapes, each once. The first capacity (>= 0) are written; *out_count is the number found.
+// filter may be NULL. O(log shapes) to O(boxes in the region).
 cn_result cn_world_overlap_aabb(const cn_world *world, const cn_aabb *box, const cn_query_filter *filter, cn_shape *out, int32_t capacity, int32_t *out_count);
 // Shapes that exactly overlap a circle; order, capacity, filter and cost as in cn_world_overlap_aabb. Edges
 // and chains are lines here, seen from both sides.

@@ -629,7 +629,7 @@ class cn_joint_base(_c.Structure):
         ("anchor_b_m", cn_vec2),  # the same for body b
         ("stiffness_hertz", _c.c_float),  # of the rigid parts, > 0, to 1e6; CN_DEFAULT (default): as stiff as the substeps permit
         ("stiffness_damping_ratio", _c.c_float),  # used with a stiffness_hertz; 0 to 1e6, default 0
-        ("force_max_N", _c.c_float),  # greatest force of anchors, axes and limits, > 0; CN_DEFAULT (default): unbounded
+        ("force_max_N", _c.c_float),  # greatest force of each: anchor, axis, limit; > 0; CN_DEFAULT (default): unbounded
         ("torque_max_Nm", _c.c_float),  # greatest torque of angles, > 0; CN_DEFAULT (default): unbounded
         ("break_force_N", _c.c_float),  # a reaction above this in any substep is reported (cn_world_joint_events), > 0; CN_DEFAULT (default): never
         ("break_torque_Nm", _c.c_float),  # the same for the torque
@@ -1733,8 +1733,8 @@ cn_shape_create_chain = _function(
 )
 cn_shape_attach = _function(
     "cn_shape_attach",
-    """Attaches an unattached shape to a body and wakes the body. CN_ERROR_STATE if the shape has a body.
-    O(shapes of the body + edges of a chain).""",
+    """Attaches an unattached shape to a body and wakes the body, or those that meet the shape of a static one.
+    CN_ERROR_STATE if the shape has a body. O(shapes of the body + edges of a chain).""",
     cn_result, _c.POINTER(cn_world), cn_shape, cn_body,
 )
 cn_shape_detach = _function(
@@ -1992,13 +1992,15 @@ cn_world_set_material_mix_callback = _function(
 cn_world_sensor_events = _function(
     "cn_world_sensor_events",
     """The sensor events of the last step, in a deterministic order; every ENTER gets a LEAVE as for contact
-    events. Sensors detect non-sensor shapes of dynamic and kinematic bodies by exact overlap.""",
+    events; a chain has one of each for all its edges. Sensors detect non-sensor shapes of dynamic and
+    kinematic bodies by exact overlap.""",
     cn_result, _c.POINTER(cn_world), _c.POINTER(_c.POINTER(cn_sensor_event)), _c.POINTER(_c.c_int32),
 )
 cn_body_get_contacts = _function(
     "cn_body_get_contacts",
-    """The body's contacts as events of kind STAY (touching) or CREATED (not touching). Writes at most capacity
-    (>= 0); out may be NULL when capacity is 0. *out_count is their number. O(contacts).""",
+    """The body's contacts as events of kind STAY (touching) or CREATED (not touching), without those of sensors:
+    see cn_shape_get_visitors. Writes at most capacity (>= 0); out may be NULL when capacity is 0. *out_count
+    is their number. O(contacts).""",
     cn_result, _c.POINTER(cn_world), cn_body, _c.POINTER(cn_contact_event), _c.c_int32, _c.POINTER(_c.c_int32),
 )
 cn_shape_get_contacts = _function(
@@ -2585,9 +2587,9 @@ cn_world_cast_shape = _function(
 )
 cn_world_overlap_aabb = _function(
     "cn_world_overlap_aabb",
-    """Shapes whose AABBs, without margin, overlap a box, in the order of cn_world_get_shapes, a chain once. The
-    first capacity (>= 0) are written; *out_count is the number found. filter may be NULL. O(log shapes) to
-    O(boxes in the region).""",
+    """Shapes whose AABBs, without margin, overlap a box, of a chain those of its edges, in the order of
+    cn_world_get_shapes, each once. The first capacity (>= 0) are written; *out_count is the number found.
+    filter may be NULL. O(log shapes) to O(boxes in the region).""",
     cn_result, _c.POINTER(cn_world), _c.POINTER(cn_aabb), _c.POINTER(cn_query_filter), _c.POINTER(cn_shape), _c.c_int32, _c.POINTER(_c.c_int32),
 )
 cn_world_overlap_circle = _function(
@@ -3683,8 +3685,8 @@ class World:
         return _shape.value
 
     def shape_attach(self, shape, body):
-        """Attaches an unattached shape to a body and wakes the body. CN_ERROR_STATE if the shape has a body.
-        O(shapes of the body + edges of a chain)."""
+        """Attaches an unattached shape to a body and wakes the body, or those that meet the shape of a static
+        one. CN_ERROR_STATE if the shape has a body. O(shapes of the body + edges of a chain)."""
         _check(cn_shape_attach(self.pointer, shape, body), self.pointer)
 
     def shape_detach(self, shape):
@@ -3874,14 +3876,16 @@ class World:
 
     def sensor_events(self):
         """The sensor events of the last step, in a deterministic order; every ENTER gets a LEAVE as for contact
-        events. Sensors detect non-sensor shapes of dynamic and kinematic bodies by exact overlap."""
+        events; a chain has one of each for all its edges. Sensors detect non-sensor shapes of dynamic and
+        kinematic bodies by exact overlap."""
         data, count = _c.POINTER(cn_sensor_event)(), _c.c_int32()
         _check(cn_world_sensor_events(self.pointer, data, count))
         return _copy(cn_sensor_event, data, count.value)
 
     def body_get_contacts(self, body):
-        """The body's contacts as events of kind STAY (touching) or CREATED (not touching). Writes at most
-        capacity (>= 0); out may be NULL when capacity is 0. *out_count is their number. O(contacts)."""
+        """The body's contacts as events of kind STAY (touching) or CREATED (not touching), without those of
+        sensors: see cn_shape_get_visitors. Writes at most capacity (>= 0); out may be NULL when capacity is
+        0. *out_count is their number. O(contacts)."""
         count = _c.c_int32()
         _check(cn_body_get_contacts(self.pointer, body, None, 0, count))
         out = (cn_contact_event * count.value)()
@@ -4452,9 +4456,9 @@ class World:
         return _out
 
     def overlap_aabb(self, box, filter=None):
-        """Shapes whose AABBs, without margin, overlap a box, in the order of cn_world_get_shapes, a chain once.
-        The first capacity (>= 0) are written; *out_count is the number found. filter may be NULL. O(log
-        shapes) to O(boxes in the region)."""
+        """Shapes whose AABBs, without margin, overlap a box, of a chain those of its edges, in the order of
+        cn_world_get_shapes, each once. The first capacity (>= 0) are written; *out_count is the number found.
+        filter may be NULL. O(log shapes) to O(boxes in the region)."""
         count = _c.c_int32()
         _check(cn_world_overlap_aabb(self.pointer, box, filter, None, 0, count))
         out = (cn_shape * count.value)()

@@ -1026,7 +1026,7 @@ pub const cn_joint_base = extern struct {
     stiffness_hertz: f32,
     /// used with a stiffness_hertz; 0 to 1e6, default 0
     stiffness_damping_ratio: f32,
-    /// greatest force of anchors, axes and limits, > 0; CN_DEFAULT (default): unbounded
+    /// greatest force of each: anchor, axis, limit; > 0; CN_DEFAULT (default): unbounded
     force_max_N: f32,
     /// greatest torque of angles, > 0; CN_DEFAULT (default): unbounded
     torque_max_Nm: f32,
@@ -2006,8 +2006,8 @@ pub extern fn cn_shape_create_box(world: *cn_world, def: *const cn_shape_def, ha
 /// Creates a chain; consecutive points at least 0.05% of the length unit apart. Wakes the body. out_shape may
 /// be NULL. O(count).
 pub extern fn cn_shape_create_chain(world: *cn_world, def: *const cn_shape_def, chain: *const cn_chain, out_shape: ?*cn_shape) cn_result;
-/// Attaches an unattached shape to a body and wakes the body. CN_ERROR_STATE if the shape has a body.
-/// O(shapes of the body + edges of a chain).
+/// Attaches an unattached shape to a body and wakes the body, or those that meet the shape of a static one.
+/// CN_ERROR_STATE if the shape has a body. O(shapes of the body + edges of a chain).
 pub extern fn cn_shape_attach(world: *cn_world, shape: cn_shape, body: cn_body) cn_result;
 /// Detaches a shape from its body, ends its contacts and wakes the body. CN_ERROR_STATE if it has no body.
 /// O(contacts + shapes of the body).
@@ -2139,10 +2139,12 @@ pub extern fn cn_world_set_pre_solve_callback(world: *cn_world, function: ?*cons
 /// Sets the callback that mixes materials; NULL removes it.
 pub extern fn cn_world_set_material_mix_callback(world: *cn_world, function: ?*const cn_material_mix_fn, user: ?*anyopaque) cn_result;
 /// The sensor events of the last step, in a deterministic order; every ENTER gets a LEAVE as for contact
-/// events. Sensors detect non-sensor shapes of dynamic and kinematic bodies by exact overlap.
+/// events; a chain has one of each for all its edges. Sensors detect non-sensor shapes of dynamic and
+/// kinematic bodies by exact overlap.
 pub extern fn cn_world_sensor_events(world: *const cn_world, out_events: *?[*]const cn_sensor_event, out_count: *i32) cn_result;
-/// The body's contacts as events of kind STAY (touching) or CREATED (not touching). Writes at most capacity
-/// (>= 0); out may be NULL when capacity is 0. *out_count is their number. O(contacts).
+/// The body's contacts as events of kind STAY (touching) or CREATED (not touching), without those of sensors:
+/// see cn_shape_get_visitors. Writes at most capacity (>= 0); out may be NULL when capacity is 0. *out_count
+/// is their number. O(contacts).
 pub extern fn cn_body_get_contacts(world: *const cn_world, body: cn_body, out: ?[*]cn_contact_event, capacity: i32, out_count: *i32) cn_result;
 /// The shape's contacts, a chain with all its edges; out, capacity, *out_count and kinds as in
 /// cn_body_get_contacts. O(contacts of its body).
@@ -2423,9 +2425,9 @@ pub extern fn cn_shape_cast_ray(world: *const cn_world, shape: cn_shape, ray: *c
 /// circle, capsule. A shape in contact at the start: see cn_ray_hit. A chain is met if the mean of the moving
 /// points is in front of it. filter may be NULL. O(shapes along the way).
 pub extern fn cn_world_cast_shape(world: *const cn_world, shape: *const cn_polygon, translation_x_m: f32, translation_y_m: f32, filter: ?*const cn_query_filter, out: *cn_ray_hit) cn_result;
-/// Shapes whose AABBs, without margin, overlap a box, in the order of cn_world_get_shapes, a chain once. The
-/// first capacity (>= 0) are written; *out_count is the number found. filter may be NULL. O(log shapes) to
-/// O(boxes in the region).
+/// Shapes whose AABBs, without margin, overlap a box, of a chain those of its edges, in the order of
+/// cn_world_get_shapes, each once. The first capacity (>= 0) are written; *out_count is the number found.
+/// filter may be NULL. O(log shapes) to O(boxes in the region).
 pub extern fn cn_world_overlap_aabb(world: *const cn_world, box: *const cn_aabb, filter: ?*const cn_query_filter, out: ?[*]cn_shape, capacity: i32, out_count: *i32) cn_result;
 /// Shapes that exactly overlap a circle; order, capacity, filter and cost as in cn_world_overlap_aabb. Edges
 /// and chains are lines here, seen from both sides.

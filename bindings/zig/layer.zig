@@ -886,8 +886,8 @@ pub const World = struct {
         return out0;
     }
 
-    /// Attaches an unattached shape to a body and wakes the body. CN_ERROR_STATE if the shape has a body.
-    /// O(shapes of the body + edges of a chain).
+    /// Attaches an unattached shape to a body and wakes the body, or those that meet the shape of a static
+    /// one. CN_ERROR_STATE if the shape has a body. O(shapes of the body + edges of a chain).
     pub fn shapeAttach(self: World, shape: Shape, body: Body) Error!void {
         return check(c.cn_shape_attach(self.pointer, shape, body));
     }
@@ -1112,7 +1112,8 @@ pub const World = struct {
     }
 
     /// The sensor events of the last step, in a deterministic order; every ENTER gets a LEAVE as for contact
-    /// events. Sensors detect non-sensor shapes of dynamic and kinematic bodies by exact overlap.
+    /// events; a chain has one of each for all its edges. Sensors detect non-sensor shapes of dynamic and
+    /// kinematic bodies by exact overlap.
     pub fn sensorEvents(self: World) Error![]const SensorEvent {
         var data: ?[*]const SensorEvent = null;
         var found: i32 = 0;
@@ -1120,8 +1121,9 @@ pub const World = struct {
         return if (data) |at| at[0..@intCast(found)] else &.{};
     }
 
-    /// The body's contacts as events of kind STAY (touching) or CREATED (not touching). Writes at most
-    /// capacity (>= 0); out may be NULL when capacity is 0. *out_count is their number. O(contacts).
+    /// The body's contacts as events of kind STAY (touching) or CREATED (not touching), without those of
+    /// sensors: see cn_shape_get_visitors. Writes at most capacity (>= 0); out may be NULL when capacity is
+    /// 0. *out_count is their number. O(contacts).
     /// The caller frees the slice.
     pub fn bodyGetContacts(self: World, gpa: std.mem.Allocator, body: Body) (Error || std.mem.Allocator.Error)![]ContactEvent {
         var found: i32 = 0;
@@ -1780,9 +1782,9 @@ pub const World = struct {
         return out0;
     }
 
-    /// Shapes whose AABBs, without margin, overlap a box, in the order of cn_world_get_shapes, a chain once.
-    /// The first capacity (>= 0) are written; *out_count is the number found. filter may be NULL. O(log
-    /// shapes) to O(boxes in the region).
+    /// Shapes whose AABBs, without margin, overlap a box, of a chain those of its edges, in the order of
+    /// cn_world_get_shapes, each once. The first capacity (>= 0) are written; *out_count is the number found.
+    /// filter may be NULL. O(log shapes) to O(boxes in the region).
     /// The caller frees the slice.
     pub fn overlapAabb(self: World, gpa: std.mem.Allocator, box: *const Aabb, filter: ?*const QueryFilter) (Error || std.mem.Allocator.Error)![]Shape {
         var found: i32 = 0;

@@ -134,12 +134,12 @@ int32_t cni_rattle_is_fixed(const rattle_step *g)
 	return 0;
 }
 
-/* The motion of one rigid body with the component's momenta. */
+/* The motion of one rigid body with the component's momenta; a body that does not turn keeps it from turning. */
 static rigid_motion rigid_of(const rattle_step *g)
 {
 	rigid_motion r = { 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, cni_rattle_is_fixed(g) };
 	float spin = 0.0f;
-	int32_t k;
+	int32_t turns = 1, k;
 	for (k = g->c->body_begin; k < g->c->body_end && !r.fixed; ++k) {
 		const cni_motion *m = g->motions + g->sparse->bodies[k];
 		float mass = inverse_or_zero(m->inv_mass);
@@ -161,10 +161,11 @@ static rigid_motion rigid_of(const rattle_step *g)
 		float mass = inverse_or_zero(m->inv_mass), inertia = inverse_or_zero(m->inv_inertia);
 		cni_vec2 p = place_of(g, g->sparse->bodies[k]);
 		float x = p.x - r.x, y = p.y - r.y;
+		turns &= m->inv_inertia > 0.0f;
 		spin += mass * (x * (m->vy - r.vy) - y * (m->vx - r.vx)) + inertia * m->w;
 		r.inertia += mass * (x * x + y * y) + inertia;
 	}
-	r.w = r.inertia > 0.0f ? spin / r.inertia : 0.0f;
+	r.w = turns && r.inertia > 0.0f ? spin / r.inertia : 0.0f;
 	return r;
 }
 

@@ -165,7 +165,7 @@ void cni_body_leave_awake(cn_world *world, int32_t body)
 	b->vy = m[k].vy;
 	b->w = m[k].w;
 	b->awake = 0;
-	b->flags &= ~(uint32_t)CNI_BODY_AHEAD;
+	b->flags &= ~((uint32_t)CNI_BODY_AHEAD | (uint32_t)CNI_BODY_MOVED);
 	cni_contact_fix_body(world, body);
 	if (k != last) {
 		int32_t moved = cni_awake_ids(world)[last];

@@ -365,25 +365,22 @@ static float approach_now(const cn_world *world, const cni_contact *c, const cni
 	return cni_max(-cni_dot(n, cni_sub(at_b, at_a)), 0.0f);
 }
 
-/* Rolling resistance and conveyors need extra rows. */
-static int32_t contact_reserve_extra(cn_world *world, const cni_contact *c)
+int32_t cni_contact_needs_extra(const cn_world *world, const cni_contact *c)
 {
 	int32_t side;
-	if (world->material_mix != NULL)
-		return cni_lane_reserve_extra(world);
 	for (side = 0; side < 2; ++side) {
 		const cni_shape *s = cni_shape_at(world, cni_proxy_at(world, c->proxy[side])->shape);
 		if (s->rolling_resistance > 0.0f || s->tangent_speed != 0.0f)
-			return cni_lane_reserve_extra(world);
+			return 1;
 	}
-	return 1;
+	return world->material_mix != NULL;
 }
 
 int32_t cni_contact_begin(cn_world *world, int32_t contact, const cni_manifold *manifold, cni_vec2 gap, const float radius[2])
 {
 	cni_contact *c = cni_contact_at(world, contact);
 	float approach;
-	if (!cni_lane_reserve(world, world->touching_count + 1) || !cni_island_reserve(world, 1) || !contact_reserve_extra(world, c))
+	if (!cni_lane_reserve(world, world->touching_count + 1) || !cni_island_reserve(world, 1) || (cni_contact_needs_extra(world, c) && !cni_lane_reserve_extra(world)))
 		return 0;
 	++world->touching_count;
 	approach = approach_now(world, c, manifold);
@@ -421,13 +418,29 @@ int32_t cni_contact_end(cn_world *world, int32_t contact)
 	return 1;
 }
 
+/* Does a contact of another edge of a chain say already that the two shapes overlap? */
+static int32_t is_sensed_by_another(const cn_world *world, int32_t contact)
+{
+	const cni_contact *c = cni_contact_at(world, contact);
+	int32_t a = cni_proxy_at(world, c->proxy[0])->shape, b = cni_proxy_at(world, c->proxy[1])->shape, key;
+	if (cni_shape_children(&world->blocks, cni_shape_at(world, a)) == 1 && cni_shape_children(&world->blocks, cni_shape_at(world, b)) == 1)
+		return 0;
+	for (key = cni_contact_first_of_shape(world, a); key != CNI_NONE; key = cni_contact_next_of_shape(world, key, a)) {
+		const cni_contact *other = cni_contact_of_key(world, key);
+		if (key >> 1 != contact && (other->flags & CNI_CONTACT_SENSING) &&
+		    (cni_proxy_at(world, other->proxy[0])->shape == b || cni_proxy_at(world, other->proxy[1])->shape == b))
+			return 1;
+	}
+	return 0;
+}
+
 int32_t cni_contact_update_sensor(cn_world *world, int32_t contact, int32_t overlaps)
 {
 	cni_contact *c = cni_contact_at(world, contact);
 	int32_t was = (c->flags & CNI_CONTACT_SENSING) != 0;
 	if (was == overlaps || (c->flags & CNI_CONTACT_MUTE))
 		return 1;
-	if (!cni_sensor_event_log(world, contact, overlaps ? CN_EVENT_ENTER : CN_EVENT_LEAVE))
+	if (!is_sensed_by_another(world, contact) && !cni_sensor_event_log(world, contact, overlaps ? CN_EVENT_ENTER : CN_EVENT_LEAVE))
 		return 0;
 	c->flags ^= (uint32_t)CNI_CONTACT_SENSING;
 	if (cni_has_areas(world))

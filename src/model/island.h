@@ -72,8 +72,9 @@ void cni_body_let_go(cn_world *world, int32_t body);
 void cni_body_wake_met(cn_world *world, int32_t body);
 /* Wakes the dynamic bodies that overlap a shape's boxes. */
 void cni_shape_wake_met(cn_world *world, int32_t shape);
-/* Wakes a body that got a new shape, unless it has no contacts and joints yet, so that bodies can be created asleep. */
-void cni_body_wake_grown(cn_world *world, int32_t body);
+/* A shape was attached to a body: wakes it, unless it has no contacts and joints yet, so that bodies can be created asleep; if the body is
+   static, those that overlap the shape's boxes. */
+void cni_shape_wake_grown(cn_world *world, int32_t shape);
 /* Reserves memory to put this body to sleep, with its island or a part of it. 0: no memory. */
 int32_t cni_body_reserve_sleep(cn_world *world, int32_t body);
 /* Puts a body and its island to sleep, and logs it. 0: no memory, nothing changed. */

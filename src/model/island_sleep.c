@@ -173,10 +173,13 @@ void cni_body_wake_met(cn_world *world, int32_t body)
 		cni_shape_wake_met(world, shape);
 }
 
-void cni_body_wake_grown(cn_world *world, int32_t body)
+void cni_shape_wake_grown(cn_world *world, int32_t shape)
 {
+	int32_t body = cni_shape_at(world, shape)->body;
 	const cni_body *b = cni_body_at(world, body);
-	if (b->contact_count > 0 || b->joint_first != CNI_NONE)
+	if (b->type == CN_BODY_STATIC)
+		cni_shape_wake_met(world, shape);
+	else if (b->contact_count > 0 || b->joint_first != CNI_NONE)
 		cni_body_wake(world, body);
 }
 

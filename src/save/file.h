@@ -112,6 +112,8 @@ void cni_file_world(cn_world *world, cni_file *f);
 cni_record cni_file_world_record(void);
 /* Blocks with extra rows: all, where some contact needs them, else none, as in most worlds. */
 int32_t cni_file_extra_count(const cn_world *world);
+/* Has some touching contact, awake or asleep, extra rows? */
+int32_t cni_file_needs_extra(const cn_world *world);
 /* The k-th array of the world's state; NULL: there are no more. */
 cni_array *cni_file_array(cn_world *world, int32_t k);
 /* The first byte of a record that no field names, as record << 16 | offset; -1: all are named. For tests. */

@@ -271,6 +271,15 @@ static void free_contacts_link(cn_world *world)
 	}
 }
 
+int32_t cni_file_needs_extra(const cn_world *world)
+{
+	int32_t k;
+	for (k = 0; k < world->contact_used; ++k)
+		if ((cni_contact_at(world, k)->flags & CNI_CONTACT_TOUCHING) && cni_contact_needs_extra(world, cni_contact_at(world, k)))
+			return 1;
+	return 0;
+}
+
 void cni_file_counts(cn_world *world, cni_file *f)
 {
 	int32_t movable, good;
@@ -287,7 +296,7 @@ void cni_file_counts(cn_world *world, cni_file *f)
 	}
 	cni_dummy_stand(world);
 	good = cni_body_reserve(world, 0) == CN_OK && cni_lane_reserve(world, world->touching_count) && cni_contact_reserve(world, 0) == CN_OK &&
-	       (!world->memory.fixed || cni_contact_reserve_reports(world, world->contacts_reporting)) && cni_island_reserve(world, 0) && cni_joint_reserve(world, 0) == CN_OK;
+	       (!world->memory.fixed || cni_contact_reserve_reports(world, world->contacts_reporting)) && cni_island_reserve(world, 0) && cni_joint_reserve(world, 0) == CN_OK && (!cni_file_needs_extra(world) || cni_lane_reserve_extra(world));
 	if (!good)
 		cni_file_fail(f, CN_ERROR_MEMORY);
 }

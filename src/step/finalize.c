@@ -80,14 +80,14 @@ static void take_pose(cn_world *world, int32_t body, cni_motion *m)
 	m->dpx = m->dpy = m->theta = 0.0f;
 }
 
-static int32_t body_accelerates(const cni_body *b, const cni_motion *m, const cni_velocity_start *start, const cni_external *d, float h)
+static int32_t body_accelerates(const cn_world *world, const cni_body *b, const cni_motion *m, const cni_velocity_start *start, const cni_external *d, float h)
 {
 	float change = d->flags & CNI_EXTERNAL_DAMPED ? h * cni_damping_factor(b->linear_damping, h) : h, ax = change * d->ax, ay = change * d->ay, dx, dy;
 	if (d->flags & CNI_EXTERNAL_FREE) /* floats are held by areas, up to rounding */
 		return !(b->flags & CNI_BODY_IN_AREA) && (ax != 0.0f || ay != 0.0f);
 	dx = m->vx - start->vx + ax;
 	dy = m->vy - start->vy + ay;
-	return dx * dx + dy * dy > CNI_REST_CHANGE_PART * CNI_REST_CHANGE_PART * (ax * ax + ay * ay);
+	return dx * dx + dy * dy > CNI_REST_CHANGE_PART * CNI_REST_CHANGE_PART * (ax * ax + ay * ay) + cni_little_change_sq(world, h);
 }
 
 /* Sum of speed gains without the effect of damping: damping brings a body to rest and never reverses it. */
@@ -117,7 +117,7 @@ static uint32_t body_rest(cn_world *world, cni_body *b, int32_t k, const cni_sol
 	if (pushed || !(m->vx * m->vx + m->vy * m->vy <= slow * slow && turn * turn <= slow * slow && (b->flags & CN_BODY_SLEEP) &&
 	      (b->type != CN_BODY_KINEMATIC || (m->vx == 0.0f && m->vy == 0.0f && m->w == 0.0f))))
 		cni_body_restless(b);
-	else if (body_accelerates(b, m, cni_starts(world) + k, d, s->h) || body_gains(world, b, m, d->flags, s->dt))
+	else if (body_accelerates(world, b, m, cni_starts(world) + k, d, s->h) || body_gains(world, b, m, d->flags, s->dt))
 		b->sleep_time = 0.0f;
 	else
 		b->sleep_time += s->dt;

@@ -118,7 +118,7 @@ CNI_INLINE uint32_t lanes_rooms(const body_lanes *f, cni_wide taken, cni_mask mo
 CNI_INLINE cni_mask lanes_accelerate(const cn_world *world, int32_t k, const body_lanes *f, float h)
 {
 	const int32_t row[8] = { 0, 1, 2, 3, 4, 5, 6, 7 };
-	cni_wide start_x, start_y, ax, ay, dx, dy, flags, w, jumped, alpha, step = cni_wide_of(h), zero = cni_wide_of(0.0f);
+	cni_wide start_x, start_y, ax, ay, dx, dy, most_sq, flags, w, jumped, alpha, step = cni_wide_of(h), zero = cni_wide_of(0.0f);
 	cni_mask is_free;
 	cni_wide_gather4(&cni_starts(world)[k].vx, (int32_t)(sizeof(cni_velocity_start) / sizeof(float)), row, &start_x, &start_y, &w, &jumped);
 	cni_wide_gather4(&cni_externals(world)[k].ax, (int32_t)(sizeof(cni_external) / sizeof(float)), row, &ax, &ay, &alpha, &flags);
@@ -127,7 +127,8 @@ CNI_INLINE cni_mask lanes_accelerate(const cn_world *world, int32_t k, const bod
 	ay = step * ay;
 	dx = f->vx - start_x + ax;
 	dy = f->vy - start_y + ay;
-	return (is_free & ((ax != zero) | (ay != zero))) | (~is_free & (dx * dx + dy * dy > cni_wide_of(CNI_REST_CHANGE_PART * CNI_REST_CHANGE_PART) * (ax * ax + ay * ay)));
+	most_sq = cni_wide_of(CNI_REST_CHANGE_PART * CNI_REST_CHANGE_PART) * (ax * ax + ay * ay) + cni_wide_of(cni_little_change_sq(world, h));
+	return (is_free & ((ax != zero) | (ay != zero))) | (~is_free & (dx * dx + dy * dy > most_sq));
 }
 
 typedef struct rest_state {

@@ -44,7 +44,7 @@ CNI_INLINE uint32_t external_flags(const cn_world *world, const cni_body *b)
 		flags |= CNI_EXTERNAL_JOINTED;
 	if (flags == 0 && CNI_ON(FLIGHT))
 		flags = CNI_EXTERNAL_FREE;
-	if (b->linear_damping + b->angular_damping > 0.0f)
+	if (b->linear_damping + b->angular_damping > 0.0f && b->type == CN_BODY_DYNAMIC)
 		flags |= CNI_EXTERNAL_DAMPED;
 	if (b->sleep_time > 0.0f && b->sleep_time >= CNI_SETTLED_DELAYS * world->settings.sleep_delay)
 		flags |= CNI_EXTERNAL_SETTLED;

@@ -67,8 +67,14 @@ extern const cni_body_kernel cni_body_kernel_8; /* AVX2, chosen at run time */
  * Each time that a steady acceleration gains so much, it has added a T or more to the speed. A body that gained as often and is slower
  * than that swings about a place, or comes to rest, and counts as at rest.
  *
- * Changes that a tenth of this acceleration gives in a step are passed by: most bodies of a pile have no others.
+ * Changes that a tenth of this acceleration gives are none: most bodies of a pile have no others.
  */
+
+/* The change of velocity in a time to which this is compared, squared. */
+static inline float cni_little_change_sq(const cn_world *world, float time)
+{
+	return cni_sq(0.1f * CNI_STEADY_ACCELERATION * world->settings.length_unit * time);
+}
 
 typedef struct cni_gain_limits {
 	float delay, leak; /* leak: dt / delay */
@@ -80,8 +86,8 @@ typedef struct cni_gain_limits {
 static inline cni_gain_limits cni_gain_limits_make(const cn_world *world, float dt)
 {
 	float delay = world->settings.sleep_delay, steady = CNI_STEADY_ACCELERATION * world->settings.length_unit;
-	float leak = dt / cni_max(delay, dt), little = 0.1f * steady * delay * leak;
-	cni_gain_limits limits = { delay, leak, 0.5f * steady * delay * delay, little * little, 0.99f * steady * delay };
+	float leak = dt / cni_max(delay, dt);
+	cni_gain_limits limits = { delay, leak, 0.5f * steady * delay * delay, cni_little_change_sq(world, delay * leak), 0.99f * steady * delay };
 	return limits;
 }
 

@@ -26,6 +26,19 @@
 
 /* ---- 1, 2: motion ---- */
 
+void cni_sequential_hold_locked(cn_world *world)
+{
+	int32_t k;
+	for (k = 1; k < world->awake_count; ++k) {
+		const cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
+		cni_motion *m = cni_motions(world) + k;
+		if (b->flags & CN_BODY_LOCK_X)
+			m->vx = m->dpx = cni_starts(world)[k].vx = 0.0f;
+		if (b->flags & CN_BODY_LOCK_Y)
+			m->vy = m->dpy = cni_starts(world)[k].vy = 0.0f;
+	}
+}
+
 void cni_sequential_velocities(cn_world *world, const cni_solve *s)
 {
 	cni_motion *motions = cni_motions(world);
@@ -36,7 +49,11 @@ void cni_sequential_velocities(cn_world *world, const cni_solve *s)
 		const cni_external *d = cni_externals(world) + k;
 		cni_velocity_start *start = cni_starts(world) + k;
 		cni_motion *m = &motions[k];
-		float linear = cni_damping_factor(b->linear_damping, s->dt), angular = cni_damping_factor(b->angular_damping, s->dt);
+		float linear = 1.0f, angular = 1.0f;
+		if (b->type == CN_BODY_DYNAMIC) {
+			linear = cni_damping_factor(b->linear_damping, s->dt);
+			angular = cni_damping_factor(b->angular_damping, s->dt);
+		}
 		m->vx = linear * (m->vx + s->dt * d->ax);
 		m->vy = linear * (m->vy + s->dt * d->ay);
 		m->w = angular * (m->w + s->dt * d->alpha);
@@ -45,6 +62,7 @@ void cni_sequential_velocities(cn_world *world, const cni_solve *s)
 		start->w = m->w;
 		start->jumped = 0.0f;
 	}
+	cni_sequential_hold_locked(world);
 }
 
 /* Neither the motion nor what pushes overlaps apart takes a body through static ones. */

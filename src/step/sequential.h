@@ -12,6 +12,8 @@ void cni_sequential_positions(cn_world *world, const cni_solve *s);
 void cni_sequential_guard(cn_world *world);
 void cni_sequential_velocity_response(cn_world *world, const cni_solve *s);
 void cni_sequential_position_response(cn_world *world);
+/* Bodies with a locked axis lose what moves them along it. */
+void cni_sequential_hold_locked(cn_world *world);
 /* Constraints on a single body (1), before contacts; joints between bodies (0) after them. */
 void cni_sequential_joints(cn_world *world, const cni_solve *s, int32_t constraints);
 

@@ -97,6 +97,9 @@ static void impulses_sum(cn_world *world, const cni_solve *s)
 /* A step without motion has contacts and events, too. */
 static void report_without_motion(cn_world *world)
 {
+	int32_t k;
+	for (k = 1; k < world->awake_count; ++k)
+		cni_body_at(world, cni_awake_ids(world)[k])->flags &= ~(uint32_t)CNI_BODY_MOVED;
 	if (!CNI_HAS_EVENTS)
 		return;
 	cni_impulse_sums_make(world);
@@ -247,6 +250,7 @@ static int32_t step_sequential(cn_world *world, float dt, uint64_t *mark)
 	cni_sequential_guard(world);
 	if (has_joints(world))
 		cni_sequential_joints(world, &s, 0);               /* 9 */
+	cni_sequential_hold_locked(world);
 	profile_mark(world, &profile->substeps_s, mark);
 	rested = cni_stage_finalize(world, &s);                    /* 10 and 11 */
 	cni_impulse_sums_report(world);

@@ -32,10 +32,15 @@ cn_result cn_world_set_contact_callback(cn_world *world, int32_t kind, cn_contac
 
 /* ------------------------------------------------------------------ lists */
 
-static void contact_read(const cn_world *world, int32_t key, cn_contact_event *out)
+/* Those of sensors have events of their own. */
+static void contact_read(const cn_world *world, int32_t key, cn_contact_event *out, int32_t capacity, int32_t *count)
 {
-	uint32_t touching = cni_contact_of_key(world, key)->flags & CNI_CONTACT_TOUCHING;
-	cni_contact_describe(world, key >> 1, touching ? CN_EVENT_STAY : CN_EVENT_CREATED, out);
+	uint32_t flags = cni_contact_of_key(world, key)->flags;
+	if (flags & CNI_CONTACT_SENSOR)
+		return;
+	if (*count < capacity)
+		cni_contact_describe(world, key >> 1, flags & CNI_CONTACT_TOUCHING ? CN_EVENT_STAY : CN_EVENT_CREATED, out + *count);
+	++*count;
 }
 
 cn_result cn_body_get_contacts(const cn_world *world, cn_body body, cn_contact_event *out, int32_t capacity, int32_t *out_count)
@@ -46,9 +51,9 @@ cn_result cn_body_get_contacts(const cn_world *world, cn_body body, cn_contact_e
 	cni_check_output(&call, out, capacity, out_count);
 	if (call.result != CN_OK)
 		return call.result;
-	for (key = b->contact_first; key != CNI_NONE && count < capacity; key = cni_contact_of_key(world, key)->next[key & 1])
-		contact_read(world, key, out + count++);
-	*out_count = b->contact_count;
+	for (key = b->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1])
+		contact_read(world, key, out, capacity, &count);
+	*out_count = count;
 	return CN_OK;
 }
 
@@ -60,9 +65,8 @@ cn_result cn_shape_get_contacts(const cn_world *world, cn_shape shape, cn_contac
 	cni_check_output(&call, out, capacity, out_count);
 	if (call.result != CN_OK)
 		return call.result;
-	for (key = cni_contact_first_of_shape(world, index); key != CNI_NONE; key = cni_contact_next_of_shape(world, key, index), ++count)
-		if (count < capacity)
-			contact_read(world, key, out + count);
+	for (key = cni_contact_first_of_shape(world, index); key != CNI_NONE; key = cni_contact_next_of_shape(world, key, index))
+		contact_read(world, key, out, capacity, &count);
 	*out_count = count;
 	return CN_OK;
 }

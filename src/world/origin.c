@@ -26,6 +26,7 @@ static void bodies_shift(cn_world *world, cni_vec2 offset)
 		cni_body *b = cni_body_at(world, k);
 		shift_parts(&b->cx, &b->cx_low, offset.x);
 		shift_parts(&b->cy, &b->cy_low, offset.y);
+		cni_readback_store(world, k);
 	}
 	for (k = 0; k < world->previous.count; ++k) {
 		cni_previous *p = (cni_previous *)world->previous.data + k;

@@ -25,7 +25,7 @@ cn_result cn_shape_attach(cn_world *world, cn_shape shape, cn_body body)
 		return call.result;
 	}
 	cni_body_shapes_changed(world, cni_body_index(world, body), cni_shape_index(world, shape));
-	cni_body_wake_grown(world, cni_body_index(world, body));
+	cni_shape_wake_grown(world, cni_shape_index(world, shape));
 	return CN_OK;
 }
 

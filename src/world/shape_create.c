@@ -104,7 +104,7 @@ static cn_result shape_create(cni_call *call, cn_world *world, const cn_shape_de
 	shape = cni_handles_take(&world->shape_handles);
 	if (def->body != 0) {
 		cni_body_shapes_changed(world, cni_body_index(world, def->body), shape);
-		cni_body_wake_grown(world, cni_body_index(world, def->body));
+		cni_shape_wake_grown(world, shape);
 	}
 	if (out_shape != NULL)
 		*out_shape = cni_handles_of(&world->shape_handles, shape);

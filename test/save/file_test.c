@@ -166,6 +166,35 @@ static void t_handles_names_and_data_are_kept(void)
 	cn_world_destroy(read);
 }
 
+/* A ball with rolling resistance sleeps in the save and in the file, and is struck after it. */
+static void t_rows_of_sleepers_come_back(void)
+{
+	cn_world *worlds[3] = { fixture_world(-10.0f, 1), fixture_world(-10.0f, 1), NULL };
+	cn_body ball = (fixture_floor(worlds[0], 0.6f, 0.0f), fixture_circle(worlds[0], CN_BODY_DYNAMIC, 0.0f, 0.5f, 0.5f, 0.6f, 0.0f));
+	cn_material rough;
+	saved s, f;
+	int32_t k;
+	must(cn_shape_get_material(worlds[0], fixture_first_shape(worlds[0], ball), &rough), worlds[0], "cn_shape_get_material");
+	rough.rolling_resistance = 0.1f;
+	must(cn_shape_set_material(worlds[0], fixture_first_shape(worlds[0], ball), &rough), worlds[0], "cn_shape_set_material");
+	fixture_step(worlds[0], 120);
+	CHECK(!fixture_is_awake(worlds[0], ball));
+	s = save_world(worlds[0]);
+	f = write_world(worlds[0]);
+	restore_world(worlds[1], &s);
+	worlds[2] = read_world(&f);
+	for (k = 0; k < 3; ++k) {
+		must(cn_body_apply_impulse(worlds[k], ball, 3.0f, 0.0f), worlds[k], "cn_body_apply_impulse");
+		fixture_step(worlds[k], 120);
+		CHECK_LE("speed of the ball", fabs((double)fixture_velocity(worlds[k], ball).linear_mps.x), 0.01, "m/s");
+		CHECK(fixture_hash(worlds[k]) == fixture_hash(worlds[0]));
+	}
+	for (k = 0; k < 3; ++k)
+		cn_world_destroy(worlds[k]);
+	saved_free(&s);
+	saved_free(&f);
+}
+
 /* Forces, kicks, pending events, owed time, boxes that have changed: all that calls have left for the next step. */
 static void t_what_calls_have_left_is_kept(void)
 {
@@ -317,6 +346,7 @@ int main(int argc, char **argv)
 	RUN(t_every_scene_goes_on);
 	RUN(t_handles_names_and_data_are_kept);
 	RUN(t_what_calls_have_left_is_kept);
+	RUN(t_rows_of_sleepers_come_back);
 	RUN(t_random_lives_go_on_through_files);
 	RUN(t_every_member_is_known);
 	return test_end();

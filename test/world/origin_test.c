@@ -211,6 +211,29 @@ static void t_queries_and_poses_are_shifted(void)
 	cn_world_destroy(t.world);
 }
 
+/* Poses that were read before are shifted, too, of what moves, rests and is static. */
+static void t_poses_are_shifted_at_once(void)
+{
+	cn_world *world = fixture_world(-10.0f, 1);
+	cn_body bodies[3];
+	cn_pose before[3], after[3];
+	int32_t k;
+	bodies[0] = fixture_floor(world, 0.5f, 0.0f);
+	bodies[1] = unit_box(world, 0.0f, 0.5f, 0.0f);
+	fixture_step(world, 60);
+	bodies[2] = unit_box(world, 5.0f, 3.0f, 0.0f);
+	for (k = 0; k < 2; ++k) {
+		fixture_step(world, 1);
+		must(cn_world_read_poses(world, bodies, 3, before), world, "cn_world_read_poses");
+	}
+	must(cn_world_shift_origin(world, 4.0f, 2.0f), world, "cn_world_shift_origin");
+	CHECK(fixture_is_valid(world) && !fixture_is_awake(world, bodies[1]));
+	must(cn_world_read_poses(world, bodies, 3, after), world, "cn_world_read_poses");
+	for (k = 0; k < 3; ++k)
+		CHECK_LE("error of a shifted pose", hypot((double)before[k].position_m.x - 4.0 - (double)after[k].position_m.x, (double)before[k].position_m.y - 2.0 - (double)after[k].position_m.y), ROUNDING, "m");
+	cn_world_destroy(world);
+}
+
 /* ---- far from the origin ---- */
 
 /* Made near the origin and shifted, as floats cannot place bodies at 100 km. What is left of 1 mm at a distance. */
@@ -279,6 +302,7 @@ int main(int argc, char **argv)
 	RUN(t_pyramid_stays_at_rest);
 	RUN(t_joints_go_on);
 	RUN(t_queries_and_poses_are_shifted);
+	RUN(t_poses_are_shifted_at_once);
 	RUN(t_accuracy_far_away);
 	RUN(t_fast_bodies_stop_far_away);
 	return test_end();

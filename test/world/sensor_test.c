@@ -298,6 +298,30 @@ static uint64_t rain(book *b)
 	return b->hash;
 }
 
+/* A chain of three edges passes: one visitor. */
+static void a_chain_enters_once(void)
+{
+	cn_world *world = fixture_world(0.0f, 0);
+	cn_vec2 points[4] = { { 0.6f, 0.0f }, { 0.2f, 0.0f }, { -0.2f, 0.0f }, { -0.6f, 0.0f } };
+	cn_chain chain = { points, 4, 0 };
+	cn_body passing = fixture_body(world, CN_BODY_KINEMATIC, -5.0f, 0.0f, 0.0f);
+	cn_shape_def def = fixture_shape_def(passing, 0.6f, 0.0f);
+	cn_contact_event contacts[4];
+	book b;
+	int32_t count = -1;
+	memset(&b, 0, sizeof b);
+	must(cn_shape_create_chain(world, &def, &chain, NULL), world, "cn_shape_create_chain");
+	sensor_box(world, CN_BODY_STATIC, 0.0f, 0.0f, 1.0f, NULL);
+	fixture_set_velocity(world, passing, 6.0f, 0.0f, 0.0f);
+	step_and_read(world, &b, 50);
+	CHECK(b.enters == 1 && b.count == 1);
+	must(cn_body_get_contacts(world, passing, contacts, 4, &count), world, "cn_body_get_contacts");
+	CHECK(count == 0); /* those of sensors have events of their own */
+	step_and_read(world, &b, 70);
+	CHECK(b.enters == 1 && b.leaves == 1 && b.broken == 0);
+	cn_world_destroy(world);
+}
+
 static void order_is_deterministic(void)
 {
 	static book first, second;
@@ -556,6 +580,7 @@ int main(int argc, char **argv)
 	RUN(every_end_is_told_once);
 	RUN(masks_of_visitors_do_not_matter);
 	RUN(sleeping_is_not_leaving);
+	RUN(a_chain_enters_once);
 	RUN(order_is_deterministic);
 	RUN(body_jumps_through_and_lands);
 	RUN(fall_from_above_stays);

@@ -251,6 +251,37 @@ static void damped_bodies_in_zero_gravity_sleep(void)
 	cn_world_destroy(world);
 }
 
+/* Without gravity rounding is all that is left, also where a joint passes it on. */
+static void damped_joints_in_zero_gravity_sleep(void)
+{
+	uint32_t seed = 3;
+	int32_t run, awake = 0;
+	for (run = 0; run < 40; ++run) {
+		cn_world *world = fixture_world(0.0f, 1);
+		cn_body a = unit_box(world, 0.0f, 0.0f), b = unit_box(world, 1.2f, 0.0f);
+		cn_revolute_def pin;
+		cn_fixed_def weld;
+		cn_joint joint;
+		must(cn_body_set_damping(world, a, 1.0f, 1.0f), world, "cn_body_set_damping");
+		must(cn_body_set_damping(world, b, 1.0f, 1.0f), world, "cn_body_set_damping");
+		fixture_set_velocity(world, b, fixture_random(&seed, -2.0f, 2.0f), fixture_random(&seed, -2.0f, 2.0f), fixture_random(&seed, -2.0f, 2.0f));
+		cn_revolute_def_init(&pin);
+		cn_fixed_def_init(&weld);
+		pin.base.body_a = weld.base.body_a = a;
+		pin.base.body_b = weld.base.body_b = b;
+		pin.base.anchor_a_m.x = weld.base.anchor_a_m.x = 0.6f;
+		pin.base.anchor_b_m.x = weld.base.anchor_b_m.x = -0.6f;
+		if (run % 2)
+			must(cn_joint_create_revolute(world, &pin, &joint), world, "cn_joint_create_revolute");
+		else
+			must(cn_joint_create_fixed(world, &weld, &joint), world, "cn_joint_create_fixed");
+		fixture_step(world, 900);
+		awake += fixture_is_awake(world, a) || fixture_is_awake(world, b);
+		cn_world_destroy(world);
+	}
+	CHECK_LE("awake after 15 s of 40 pairs", (double)awake, 0.0, "");
+}
+
 /* ---- islands that come apart ---- */
 
 static void towers_without_their_bridge_sleep_apart(void)
@@ -342,6 +373,30 @@ static void a_world_without_sleep_wakes_all(void)
 /* ---- lists ---- */
 
 #define LISTED 40
+
+/* Nothing moves in a step of no time, nor by a call; whether poses are read or not. */
+static void moved_list_is_of_the_last_step(void)
+{
+	int32_t reads, k, count = -1;
+	for (reads = 0; reads < 2; ++reads) {
+		cn_world *world = fixture_world(-10.0f, 1);
+		cn_body falling = unit_box(world, 0.0f, 60.0f), resting = (fixture_floor(world, 0.6f, 0.0f), unit_box(world, 5.0f, 0.8f));
+		const cn_body_moved *moved;
+		for (k = 0; k < 90; ++k) {
+			fixture_step(world, 1);
+			if (reads)
+				must(cn_world_moved(world, &moved, &count), world, "cn_world_moved");
+		}
+		CHECK(!fixture_is_awake(world, resting) && fixture_is_awake(world, falling));
+		must(cn_body_set_awake(world, resting, 1), world, "cn_body_set_awake");
+		must(cn_world_moved(world, &moved, &count), world, "cn_world_moved");
+		CHECK(count == 1 && moved[0].body == falling);
+		must(cn_world_step(world, 0.0f), world, "cn_world_step");
+		must(cn_world_moved(world, &moved, &count), world, "cn_world_moved");
+		CHECK(count == 0);
+		cn_world_destroy(world);
+	}
+}
 
 static void moved_list_is_what_moved(void)
 {
@@ -500,11 +555,13 @@ int main(int argc, char **argv)
 	RUN(everybody_waits_for_the_whole_delay);
 	RUN(moving_islands_do_not_sleep_with_others);
 	RUN(damped_bodies_in_zero_gravity_sleep);
+	RUN(damped_joints_in_zero_gravity_sleep);
 	RUN(towers_without_their_bridge_sleep_apart);
 	RUN(a_body_that_may_not_sleep_keeps_its_island_awake);
 	RUN(own_sleep_speed_counts);
 	RUN(a_world_without_sleep_wakes_all);
 	RUN(moved_list_is_what_moved);
+	RUN(moved_list_is_of_the_last_step);
 	RUN(sleepers_do_not_change_what_moves);
 	RUN(sleeping_bodies_are_left_alone);
 	RUN(a_crowd_falls_asleep_in_parts);

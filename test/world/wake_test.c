@@ -272,6 +272,38 @@ static void a_wall_comes_up_to_one_put_to_sleep(void)
 	CHECK(repeats == 0 && met > 100);
 }
 
+/* A sensor, an area, or a wall that a sleeping box has come to overlap. */
+static void static_shapes_made_over_sleepers_wake_them(void)
+{
+	int32_t kind;
+	for (kind = 0; kind < 3; ++kind) {
+		cn_world *world = fixture_world(-10.0f, 1);
+		cn_body box = (fixture_floor(world, 0.6f, 0.0f), fixture_box(world, CN_BODY_DYNAMIC, 0.0f, 0.5f, 0.0f, 0.5f, 0.5f, 0.6f, 0.0f)), post;
+		cn_shape_def def;
+		cn_shape shape, visitor = 0;
+		cn_area_def area;
+		int32_t count = 0;
+		fixture_step(world, 120);
+		CHECK(!fixture_is_awake(world, box));
+		post = fixture_body(world, CN_BODY_STATIC, kind == 2 ? 0.9f : 0.0f, 0.6f, 0.0f);
+		def = fixture_shape_def(post, 0.6f, 0.0f);
+		def.flags = kind < 2 ? CN_SHAPE_SENSOR : 0;
+		shape = fixture_box_shape(world, &def, 0.5f, 0.5f);
+		CHECK(fixture_is_awake(world, box));
+		cn_area_def_init(&area);
+		area.gravity_mps2.y = 20.0f;
+		if (kind == 1)
+			must(cn_shape_set_area(world, shape, &area), world, "cn_shape_set_area");
+		fixture_step(world, 10);
+		if (kind == 0)
+			must(cn_shape_get_visitors(world, shape, &visitor, 1, &count), world, "cn_shape_get_visitors");
+		CHECK(kind != 0 || (count == 1 && visitor == fixture_first_shape(world, box)));
+		CHECK(kind != 1 || fixture_pose(world, box).position_m.y > 0.55f);
+		CHECK(kind != 2 || fixture_pose(world, box).position_m.x < -0.05f);
+		cn_world_destroy(world);
+	}
+}
+
 static void bodies_made_asleep_wait(void)
 {
 	cn_world *world = fixture_world(-10.0f, 1);
@@ -306,6 +338,7 @@ int main(int argc, char **argv)
 	RUN(set_awake_0_takes_only_what_is_connected);
 	RUN(set_awake_0_holds_a_flying_body);
 	RUN(a_wall_comes_up_to_one_put_to_sleep);
+	RUN(static_shapes_made_over_sleepers_wake_them);
 	RUN(bodies_made_asleep_wait);
 	return test_end();
 }

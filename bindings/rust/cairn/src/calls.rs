@@ -812,8 +812,8 @@ impl World {
         Ok(out_shape)
     }
 
-    /// Attaches an unattached shape to a body and wakes the body. CN_ERROR_STATE if the shape has a body.
-    /// O(shapes of the body + edges of a chain).
+    /// Attaches an unattached shape to a body and wakes the body, or those that meet the shape of a static
+    /// one. CN_ERROR_STATE if the shape has a body. O(shapes of the body + edges of a chain).
     pub fn shape_attach(&mut self, shape: Shape, body: Body) -> Result<()> {
         self.check(unsafe { cairn_sys::cn_shape_attach(self.pointer(), shape, body) })?;
         Ok(())
@@ -1044,15 +1044,17 @@ impl World {
     }
 
     /// The sensor events of the last step, in a deterministic order; every ENTER gets a LEAVE as for contact
-    /// events. Sensors detect non-sensor shapes of dynamic and kinematic bodies by exact overlap.
+    /// events; a chain has one of each for all its edges. Sensors detect non-sensor shapes of dynamic and
+    /// kinematic bodies by exact overlap.
     pub fn sensor_events(&self) -> Result<&[SensorEvent]> {
         let (mut data, mut count) = (core::ptr::null(), 0);
         check(unsafe { cairn_sys::cn_world_sensor_events(self.pointer(), &mut data, &mut count) })?;
         Ok(if count == 0 { &[] } else { unsafe { core::slice::from_raw_parts(data, count as usize) } })
     }
 
-    /// The body's contacts as events of kind STAY (touching) or CREATED (not touching). Writes at most
-    /// capacity (>= 0); out may be NULL when capacity is 0. *out_count is their number. O(contacts).
+    /// The body's contacts as events of kind STAY (touching) or CREATED (not touching), without those of
+    /// sensors: see cn_shape_get_visitors. Writes at most capacity (>= 0); out may be NULL when capacity is
+    /// 0. *out_count is their number. O(contacts).
     pub fn body_get_contacts(&self, body: Body) -> Result<Vec<ContactEvent>> {
         let mut count = 0;
         check(unsafe { cairn_sys::cn_body_get_contacts(self.pointer(), body, core::ptr::null_mut(), 0, &mut count) })?;
@@ -1755,9 +1757,9 @@ impl World {
         Ok(out_out)
     }
 
-    /// Shapes whose AABBs, without margin, overlap a box, in the order of cn_world_get_shapes, a chain once.
-    /// The first capacity (>= 0) are written; *out_count is the number found. filter may be NULL. O(log
-    /// shapes) to O(boxes in the region).
+    /// Shapes whose AABBs, without margin, overlap a box, of a chain those of its edges, in the order of
+    /// cn_world_get_shapes, each once. The first capacity (>= 0) are written; *out_count is the number found.
+    /// filter may be NULL. O(log shapes) to O(boxes in the region).
     pub fn overlap_aabb(&self, r#box: &Aabb, filter: Option<&QueryFilter>) -> Result<Vec<Shape>> {
         let filter = filter.map(Cleared::cleared);
         let filter = filter.as_ref();
