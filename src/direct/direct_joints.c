@@ -207,21 +207,52 @@ static int32_t is_contradictory(const cn_world *world, const cni_solve *s, const
 	return 0;
 }
 
+/* Do some of its rows say nearly the same as others? Forms its system, and clears it again. */
+static int32_t is_redundant(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c, float part)
+{
+	int32_t width = c->width, redundant;
+	cni_direct_begin(world, s, sparse, c);
+	redundant = cni_sparse_is_redundant(sparse, c, part);
+	c->active = 0; /* RATTLE and batches have no active set */
+	c->width = width;
+	cni_sparse_clear(sparse, c);
+	return redundant;
+}
+
+static float mass_ratio(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	float least = FLT_MAX, most = 0.0f;
+	int32_t k;
+	for (k = c->body_begin; k < c->body_end; ++k) {
+		float inv_mass = cni_motions(world)[sparse->bodies[k]].inv_mass;
+		most = cni_max(most, inv_mass);
+		if (inv_mass > 0.0f)
+			least = cni_min(least, inv_mass);
+	}
+	return most / least;
+}
+
+/* A light body between far heavier ones: beside the rows that move it, what the heavy ones bear through it is lost in rounding, as a pin
+   whose pivot cancels, or as a kick. Soft joints then open, and stay soft until they are closed. */
+static int32_t is_ill_scaled(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c)
+{
+	if (c->has_contacts || c->mass_ratio < CNI_ILL_MASS_RATIO)
+		return 0;
+	if (was_soft(world, sparse, c) && widest_gap(world, sparse, c) > CNI_LOOP_OPEN * world->settings.length_unit)
+		return 1;
+	return is_redundant(world, s, sparse, c, CNI_ILL_PIVOT);
+}
+
 /* RATTLE, or the passes of a substep where joints to fixed bodies say nearly the same, as those of coupled wheels on fixed axles, or of a
    straight bridge, whose planks no joint keeps from moving across it by a hair: RATTLE divides by what is left of them. A loop that flies
    freely turns at rest in itself, and stays with RATTLE. */
 static void rattle_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c)
 {
-	int32_t width = c->width;
-	if (c->loops && joints_to_fixed(world, sparse, c) > 0) {
+	c->uses_rattle = !(c->loops && joints_to_fixed(world, sparse, c) > 0 && is_redundant(world, s, sparse, c, CNI_RATTLE_REDUNDANT));
+	if (c->uses_rattle)
+		cni_sparse_clear(sparse, c);
+	else
 		cni_direct_begin(world, s, sparse, c);
-		c->uses_rattle = !cni_sparse_is_redundant(sparse, c, CNI_RATTLE_REDUNDANT);
-		if (!c->uses_rattle)
-			return;
-		c->active = 0; /* RATTLE has no active set */
-		c->width = width;
-	}
-	cni_sparse_clear(sparse, c);
 }
 
 /* One joint to the world. */
@@ -254,6 +285,7 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 		if (far && k + 1 < out->component_count)
 			cni_component_prefetch(world, out, k + 1);
 		c->regular = c->has_contacts ? CNI_REGULARIZATION_CONTACTS : c->loops ? CNI_REGULARIZATION_LOOPS : 0.0f;
+		c->mass_ratio = mass_ratio(world, out, c);
 		c->uses_rattle = CNI_ON(RATTLE) && !c->has_contacts && cni_component_uses_rattle(world, s, out, c);
 		if (is_torn(world, out, c)) {
 			impulses_soften(world, s, out, c);
@@ -261,6 +293,9 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 		} else if (is_contradictory(world, s, out, c) || loop_is_better_soft(world, out, c)) {
 			impulses_soften(world, s, out, c);
 			cni_component_suspend(world, out, c, CNI_TRUST_MOST);
+		} else if (is_ill_scaled(world, s, out, c)) {
+			impulses_soften(world, s, out, c);
+			cni_component_suspend(world, out, c, 0);
 		} else if (c->body_begin == c->body_end || is_better_alone(c))
 			cni_component_release(world, out, c);
 		else if (c->uses_rattle)

@@ -254,7 +254,7 @@ int32_t cni_heavy_contacts_list(const cn_world *world, const cni_solve *s, cni_s
 	const cni_component *c = &sparse->components[component];
 	int32_t k, first = sparse->heavy_count, most, slow, batchable;
 	float ratio;
-	if (!CNI_ON(HEAVY_CONTACTS))
+	if (!CNI_ON(HEAVY_CONTACTS) || c->mass_ratio > CNI_ILL_MASS_RATIO)
 		return 0;
 	if (!CNI_ON(JOINT_PROJECTION) || c->has_contacts || !cni_component_is_touched(world, sparse, c) || may_break(world, sparse, c))
 		return 0;

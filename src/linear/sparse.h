@@ -68,6 +68,7 @@ typedef struct cni_component {
 	int32_t loops;                 /* 1: more nodes than a tree on these bodies has */
 	int32_t tree;                  /* 1: the graph of moving bodies and nodes has no cycle */
 	int32_t width;                 /* 2 or 3: rows per node in the solution */
+	float mass_ratio;              /* greatest mass of a body over least */
 	float regular;                 /* regularization: this fraction of the diagonal is added to it */
 	int32_t uses_rattle;           /* 1: direct/rattle.c takes the bodies' whole step */
 	int32_t done;                  /* 1: finished for this step */

@@ -183,6 +183,10 @@ CNI_TUNING_FLOAT(CNI_DIRECT_LEAK, 1e-5f)
 CNI_TUNING_FLOAT(CNI_JOINT_TORN, 0.25f)
 /* Length units. A loop between fixed bodies that was soft stays so while a joint is open by more, unless RATTLE closes it. */
 CNI_TUNING_FLOAT(CNI_LOOP_OPEN, 0.002f)
+/* Greatest mass over least of joined bodies from which a pivot is checked, and the part of its diagonal below which rounding has eaten it: rows of
+   heavy and light bodies in turn are exact up to 1:1e5. Contacts of such bodies know no joints: what one does to the lightest is rounding. */
+CNI_TUNING_FLOAT(CNI_ILL_MASS_RATIO, 1e4f)
+CNI_TUNING_FLOAT(CNI_ILL_PIVOT, 2e-5f)
 /* Radians, or metres. A joint that is farther beyond a limit, under ten times CNI_SOFT_STRESS, is held there by others. */
 CNI_TUNING_FLOAT(CNI_LIMIT_FORCED, 0.01f)
 /* Changes of the active set of joint rows in a pass. */

@@ -80,6 +80,49 @@ static void see_saw(scene *s)
 	add_box(s, CN_BODY_DYNAMIC, half - 0.5, 2.0 * height + 0.6 + drop, pick(s, -0.5, 0.5), 0.5, 0.5);
 }
 
+static int32_t add_member(scene *s, double x, double y, double size, double mass)
+{
+	if (chance(s, 0.5)) {
+		set_mass(s, mass, PI * size * size);
+		return add_disc(s, CN_BODY_DYNAMIC, x, y, size);
+	}
+	set_mass(s, mass, 3.2 * size * size);
+	return add_box(s, CN_BODY_DYNAMIC, x, y, 0.0, size, 0.8 * size);
+}
+
+/* Rows of two to six discs and boxes of 0.05 to 1.2 m, joined by pins, welds, rods or any of these, fall into a pit: a single row or three
+   to ten; masses up to 1:2 to 1:1e7, drawn by their logarithm, in a third of the seeds heavy and light in turn. */
+static void build_joined_masses(scene *s)
+{
+	int32_t rows = chance(s, 0.3) ? 1 : pick_int(s, 3, 10), kind = pick_int(s, 0, 3), turns = chance(s, 0.33), row, k;
+	double ratio = pick_log(s, 2.0, 1e7), least = 10.0 / sqrt(ratio), y = 1.0;
+	s->friction = pick(s, 0.0, 1.0);
+	add_pit(s, 12.0);
+	for (row = 0; row < rows; ++row) {
+		int32_t count = pick_int(s, 2, 6), last = WORLD;
+		double x = -9.0 + pick(s, 0.0, 4.0), size = 0.0;
+		y += 1.2;
+		for (k = 0; k < count; ++k) {
+			double next = pick_log(s, 0.05, 1.2), mass = least * (turns ? k % 2 ? 1.0 : ratio : pick_log(s, 1.0, ratio)), before = x;
+			int32_t joint = kind < 3 ? kind : pick_int(s, 0, 2), member;
+			x += k ? 1.02 * (size + next) : 0.0;
+			if (x > 10.5)
+				break;
+			member = add_member(s, x, y, next, mass);
+			if (k && joint == 0)
+				add_pin(s, last, member, before + 1.01 * size, y);
+			else if (k && joint == 1)
+				add_weld(s, last, member, before + 1.01 * size, y);
+			else if (k)
+				add_rod(s, last, member, before, y, x, y);
+			last = member;
+			size = next;
+		}
+		y += 1.3;
+	}
+	s->seconds = 12.0;
+}
+
 /* A slab on a slider with a motor of 10 to 1000 times the weight presses a heap of 5 to 25 lumps against the floor at
    0.2 to 2 m/s; or a slab of 10 to 1e5 times their mass falls on them. */
 static void crusher(scene *s)
@@ -139,6 +182,7 @@ static void build_thrown(scene *s)
 const family heap_families[] = {
 	{ "thin_heap", build_thin_heap, 0 },
 	{ "mixed_heap", build_mixed_heap, 0 },
+	{ "joined_masses", build_joined_masses, 0 },
 	{ "press", build_press, 0 },
 	{ "thrown", build_thrown, 0 },
 };

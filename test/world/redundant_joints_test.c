@@ -264,11 +264,65 @@ static void chains_swing_from_moving_bodies_as_from_fixed_ones(void)
 	CHECK_LE("... that moves upwards", chain_energy_change(CN_BODY_KINEMATIC, 1.0f, 2.0f), 1e-4, "");
 }
 
+/* A light box between two heavy ones, joined by pins or by rods, falls on a floor. Returns how fast a body gets, and raises *widest. */
+static double light_between_heavy(uint32_t *seed, int32_t rods, float ratio, double *widest)
+{
+	scene s = scene_open(10.0, 0, CN_SOLVER_AUTO);
+	float angle = fixture_random(seed, -0.6f, 0.6f), along = 0.0f, half = 0.0f;
+	double fastest = 0.0;
+	int32_t k, step;
+	fixture_floor(s.world, 0.6f, 0.0f);
+	for (k = 0; k < 3; ++k) {
+		float next = fixture_random(seed, 0.1f, k == 1 ? 0.3f : 0.6f), before = along, mass = 0.01f * (k == 1 ? 1.0f : ratio);
+		cn_body body;
+		along += k > 0 ? 1.3f * (half + next) : 0.0f;
+		body = weighing(&s, fixture_box(s.world, CN_BODY_DYNAMIC, along * cosf(angle), 3.0f + along * sinf(angle), angle, next, next, 0.6f, 0.0f), mass);
+		if (k > 0 && rods) {
+			cn_distance_def rod = distance_def(s.bodies[k - 1], at(0.0f, 0.0f), body, at(0.0f, 0.0f), along - before);
+			s.joints[s.joint_count++] = make_distance(s.world, &rod);
+		} else if (k > 0) {
+			pin(&s, s.bodies[k - 1], at(1.3f * half, 0.0f), body, at(before + 1.3f * half - along, 0.0f));
+		}
+		half = next;
+	}
+	for (step = 0; step < 300; ++step) {
+		fixture_step(s.world, 1);
+		fastest = fmax(fastest, fastest_of(&s, s.bodies, 3));
+		*widest = fmax(*widest, worst_joint_error(s.world));
+	}
+	scene_close(&s);
+	return fastest;
+}
+
+static double light_ones_between_heavy_ones(int32_t rods, float ratio, double *widest)
+{
+	uint32_t seed = 17;
+	double fastest = 0.0;
+	int32_t run;
+	*widest = 0.0;
+	for (run = 0; run < 40; ++run)
+		fastest = fmax(fastest, light_between_heavy(&seed, rods, ratio, widest));
+	return fastest;
+}
+
+/* Falls of three metres. Joints are exact where floats are long enough. */
+static void light_bodies_between_heavy_ones_are_not_thrown(void)
+{
+	double widest;
+	CHECK_LE("speed of pinned rows, masses of 1:1e4", light_ones_between_heavy_ones(0, 1e4f, &widest), 20.0, "m/s");
+	CHECK_LE("... their widest joint", widest, 0.02, "m");
+	CHECK_LE("... of 1:1e6", light_ones_between_heavy_ones(0, 1e6f, &widest), 20.0, "m/s");
+	CHECK_LE("... of 1:1e7", light_ones_between_heavy_ones(0, 1e7f, &widest), 20.0, "m/s");
+	CHECK_LE("speed of rows of rods, masses of 1:1e6", light_ones_between_heavy_ones(1, 1e6f, &widest), 30.0, "m/s");
+	CHECK_LE("... of 1:1e7", light_ones_between_heavy_ones(1, 1e7f, &widest), 30.0, "m/s");
+}
+
 int main(void)
 {
 	RUN(straight_bridges_are_not_thrown);
 	RUN(chains_swing_from_moving_bodies_as_from_fixed_ones);
 	RUN(coupled_wheels_turn_on);
+	RUN(light_bodies_between_heavy_ones_are_not_thrown);
 	RUN(straight_bridges_rest);
 	RUN(welded_arches_bear_themselves);
 	RUN(what_is_held_beyond_a_limit_is_let_go_calmly);
