@@ -105,6 +105,11 @@ static float widest_gap(const cn_world *world, const cni_sparse *sparse, const c
 	return most;
 }
 
+static int32_t is_open(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	return widest_gap(world, sparse, c) > CNI_LOOP_OPEN * world->settings.length_unit;
+}
+
 /* 1: in the last step its joints were soft, as they had been given up. */
 static int32_t was_soft(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
@@ -132,7 +137,7 @@ static int32_t loop_is_better_soft(const cn_world *world, const cni_sparse *spar
 	if (!may_be_straight(world, sparse, c, fixed))
 		return 0;
 	if (touched == 0)
-		return fixed > 1 && widest_gap(world, sparse, c) > CNI_LOOP_OPEN * world->settings.length_unit;
+		return fixed > 1 && is_open(world, sparse, c);
 	return fixed > 1 || (2 * touched > bodies && touched > cni_heavy_contacts_most(sparse, c));
 }
 
@@ -238,7 +243,7 @@ static int32_t is_ill_scaled(cn_world *world, const cni_solve *s, cni_sparse *sp
 {
 	if (c->has_contacts || c->mass_ratio < CNI_ILL_MASS_RATIO)
 		return 0;
-	if (was_soft(world, sparse, c) && widest_gap(world, sparse, c) > CNI_LOOP_OPEN * world->settings.length_unit)
+	if (was_soft(world, sparse, c) && is_open(world, sparse, c))
 		return 1;
 	return is_redundant(world, s, sparse, c, CNI_ILL_PIVOT);
 }
