@@ -75,9 +75,11 @@ void cni_component_suspend(cn_world *world, cni_sparse *sparse, cni_component *c
 	cni_component_release(world, sparse, c);
 }
 
-/* Reads the joints' levers from their rows, and the speeds that correct their errors at this rate. Returns the number of joints. */
+/* Reads the joints' levers from their rows, and the speeds that correct their errors at this rate, but no faster than overlaps are pushed
+   apart: what a gap's closing gives to light parts they keep. Returns the number of joints. */
 static int32_t levers_read(const cn_world *world, cni_sparse *sparse, const cni_component *c, float rate)
 {
+	float most = world->settings.push_speed_max;
 	int32_t k, i, joints = 0;
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
@@ -88,7 +90,7 @@ static int32_t levers_read(const cn_world *world, cni_sparse *sparse, const cni_
 		rows = cni_joint_constraints(world)[n->owner].rows;
 		for (i = 0; i < n->rows; ++i) {
 			cni_levers_set(&n->levers, i, cni_row_lever(&rows[i]));
-			n->closing[i] = rate * rows[i].error;
+			n->closing[i] = cni_clamp(rate * rows[i].error, -most, most);
 		}
 	}
 	return joints;

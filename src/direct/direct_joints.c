@@ -120,25 +120,25 @@ static int32_t was_soft(const cn_world *world, const cni_sparse *sparse, const c
 /*
  * A loop of pins or rods between fixed bodies, such as a bridge between two walls, may be so straight that no force can hold it: rigid
  * joints explode there when contacts load it, or when they are to close what soft ones have opened (RATTLE finds that no motion does). Trees
- * have no such configurations, nor have loops with gears. A loop of moving bodies alone, such as a scissor lift, stays exact unless most of its bodies touch something, more than contacts can know its joints
- * (direct/heavy_contacts.c): the links of a caterpillar track would be pressed into wheels. Contacts come and go: a loop that closed its
+ * have no such configurations, nor have loops with gears. A loop of moving bodies alone, such as a scissor lift, stays exact unless it was such a loop
+ * and is still open, or most of its bodies touch something, more than contacts can know its joints (direct/heavy_contacts.c): the links of a
+ * caterpillar track would be pressed into wheels. Contacts come and go: a loop that closed its
  * joints whenever a body on it bounces would throw the body. So the loop stays soft for the longest span of a trust: of 80 seeds of the
  * family `bridge` 8 are worse than soft constraints with 32 steps, 3 with 128, 2 with 256.
  */
 static int32_t loop_is_better_soft(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
-	int32_t touched, fixed, bodies = c->body_end - c->body_begin;
+	int32_t touched, opened, fixed, bodies = c->body_end - c->body_begin;
 	if (!CNI_ON(SOFT_LOOPS) || world->settings.solver != CN_SOLVER_AUTO || !c->loops || c->has_contacts || bodies == 0 || is_requested(world, sparse, c))
 		return 0;
 	touched = touched_bodies(world, sparse, c);
-	if (touched == 0 && (c->uses_rattle || !was_soft(world, sparse, c)))
+	opened = was_soft(world, sparse, c) && is_open(world, sparse, c);
+	if (touched == 0 && (c->uses_rattle || !opened))
 		return 0;
 	fixed = joints_to_fixed(world, sparse, c);
 	if (!may_be_straight(world, sparse, c, fixed))
 		return 0;
-	if (touched == 0)
-		return fixed > 1 && is_open(world, sparse, c);
-	return fixed > 1 || (2 * touched > bodies && touched > cni_heavy_contacts_most(sparse, c));
+	return opened || fixed > 1 || (2 * touched > bodies && touched > cni_heavy_contacts_most(sparse, c));
 }
 
 /* Contacts between two of its bodies are scaled twice. */

@@ -264,8 +264,56 @@ static void chains_swing_from_moving_bodies_as_from_fixed_ones(void)
 	CHECK_LE("... that moves upwards", chain_energy_change(CN_BODY_KINEMATIC, 1.0f, 2.0f), 1e-4, "");
 }
 
-/* A light box between two heavy ones, joined by pins or by rods, falls on a floor. Returns how fast a body gets, and raises *widest. */
-static double light_between_heavy(uint32_t *seed, int32_t rods, float ratio, double *widest)
+/* A truss of eight bays of pinned bars and rods between two walls bends under heavy boxes; then all goes that holds it to the walls, but one pin.
+   Returns how fast a part of the rest gets in the next second, with what it had. */
+static double truss_lets_go(int32_t solver, float load, int32_t steps)
+{
+	scene s = scene_open(10.0, 0, solver);
+	cn_body last[2] = { 0, 0 }, boxes[6];
+	double fastest = 0.0;
+	int32_t k, side;
+	for (k = 0; k < 8; ++k)
+		for (side = 0; side < 2; ++side) {
+			float y = 5.0f + (float)side;
+			cn_body bar = beam(&s, (float)k + 0.5f, y, 0.0f, 0.48f, 0.08f);
+			pin(&s, last[side], last[side] != 0 ? at(0.5f, 0.0f) : at(0.0f, y), bar, at(-0.5f, 0.0f));
+			last[side] = bar;
+			if (side == 1) {
+				cn_distance_def slanted = distance_def(s.bodies[2 * k], at(-0.4f, 0.0f), bar, at(0.4f, 0.0f), sqrtf(1.64f));
+				cn_distance_def upright = distance_def(s.bodies[2 * k], at(0.0f, 0.0f), bar, at(0.0f, 0.0f), 1.0f);
+				s.joints[s.joint_count++] = make_distance(s.world, &slanted);
+				s.joints[s.joint_count++] = make_distance(s.world, &upright);
+			}
+		}
+	for (side = 0; side < 2; ++side)
+		pin(&s, last[side], at(0.5f, 0.0f), 0, at(8.0f, 5.0f + (float)side));
+	for (k = 0; k < 6; ++k) {
+		boxes[k] = fixture_box(s.world, CN_BODY_DYNAMIC, 1.5f + (float)k, 6.5f, 0.0f, 0.3f, 0.3f, 0.6f, 0.0f);
+		weigh(&s, boxes[k], load);
+	}
+	fixture_step(s.world, steps);
+	for (side = 0; side < 2; ++side)
+		must(cn_body_destroy(s.world, last[side]), s.world, "cn_body_destroy");
+	must(cn_body_destroy(s.world, s.bodies[0]), s.world, "cn_body_destroy");
+	for (k = 0; k < 60; ++k) {
+		fixture_step(s.world, 1);
+		fastest = fmax(fastest, fastest_of(&s, s.bodies + 1, 13));
+	}
+	scene_close(&s);
+	return fastest;
+}
+
+static void open_loops_close_calmly_when_they_lose_a_wall(void)
+{
+	double most = 0.0;
+	int32_t k;
+	for (k = 0; k < 12; ++k)
+		most = fmax(most, truss_lets_go(CN_SOLVER_AUTO, 200.0f, 240 + 4 * k) / truss_lets_go(CN_SOLVER_SOFT, 200.0f, 240 + 4 * k));
+	CHECK_LE("speed of what is left of a truss / with soft constraints", most, 1.5, "");
+}
+
+/* A light box between two heavy ones, joined by pins, falls on a floor. Returns how fast a body gets, and raises *widest. */
+static double light_between_heavy(uint32_t *seed, float ratio, double *widest)
 {
 	scene s = scene_open(10.0, 0, CN_SOLVER_AUTO);
 	float angle = fixture_random(seed, -0.6f, 0.6f), along = 0.0f, half = 0.0f;
@@ -277,12 +325,8 @@ static double light_between_heavy(uint32_t *seed, int32_t rods, float ratio, dou
 		cn_body body;
 		along += k > 0 ? 1.3f * (half + next) : 0.0f;
 		body = weighing(&s, fixture_box(s.world, CN_BODY_DYNAMIC, along * cosf(angle), 3.0f + along * sinf(angle), angle, next, next, 0.6f, 0.0f), mass);
-		if (k > 0 && rods) {
-			cn_distance_def rod = distance_def(s.bodies[k - 1], at(0.0f, 0.0f), body, at(0.0f, 0.0f), along - before);
-			s.joints[s.joint_count++] = make_distance(s.world, &rod);
-		} else if (k > 0) {
+		if (k > 0)
 			pin(&s, s.bodies[k - 1], at(1.3f * half, 0.0f), body, at(before + 1.3f * half - along, 0.0f));
-		}
 		half = next;
 	}
 	for (step = 0; step < 300; ++step) {
@@ -294,14 +338,14 @@ static double light_between_heavy(uint32_t *seed, int32_t rods, float ratio, dou
 	return fastest;
 }
 
-static double light_ones_between_heavy_ones(int32_t rods, float ratio, double *widest)
+static double light_ones_between_heavy_ones(float ratio, double *widest)
 {
 	uint32_t seed = 17;
 	double fastest = 0.0;
 	int32_t run;
 	*widest = 0.0;
 	for (run = 0; run < 40; ++run)
-		fastest = fmax(fastest, light_between_heavy(&seed, rods, ratio, widest));
+		fastest = fmax(fastest, light_between_heavy(&seed, ratio, widest));
 	return fastest;
 }
 
@@ -309,12 +353,10 @@ static double light_ones_between_heavy_ones(int32_t rods, float ratio, double *w
 static void light_bodies_between_heavy_ones_are_not_thrown(void)
 {
 	double widest;
-	CHECK_LE("speed of pinned rows, masses of 1:1e4", light_ones_between_heavy_ones(0, 1e4f, &widest), 20.0, "m/s");
+	CHECK_LE("speed of rows, masses of 1:1e4", light_ones_between_heavy_ones(1e4f, &widest), 20.0, "m/s");
 	CHECK_LE("... their widest joint", widest, 0.02, "m");
-	CHECK_LE("... of 1:1e6", light_ones_between_heavy_ones(0, 1e6f, &widest), 20.0, "m/s");
-	CHECK_LE("... of 1:1e7", light_ones_between_heavy_ones(0, 1e7f, &widest), 20.0, "m/s");
-	CHECK_LE("speed of rows of rods, masses of 1:1e6", light_ones_between_heavy_ones(1, 1e6f, &widest), 30.0, "m/s");
-	CHECK_LE("... of 1:1e7", light_ones_between_heavy_ones(1, 1e7f, &widest), 30.0, "m/s");
+	CHECK_LE("... of 1:1e6", light_ones_between_heavy_ones(1e6f, &widest), 20.0, "m/s");
+	CHECK_LE("... of 1:1e7", light_ones_between_heavy_ones(1e7f, &widest), 20.0, "m/s");
 }
 
 int main(void)
@@ -322,6 +364,7 @@ int main(void)
 	RUN(straight_bridges_are_not_thrown);
 	RUN(chains_swing_from_moving_bodies_as_from_fixed_ones);
 	RUN(coupled_wheels_turn_on);
+	RUN(open_loops_close_calmly_when_they_lose_a_wall);
 	RUN(light_bodies_between_heavy_ones_are_not_thrown);
 	RUN(straight_bridges_rest);
 	RUN(welded_arches_bear_themselves);
