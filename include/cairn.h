@@ -295,7 +295,8 @@ typedef struct cn_world_def {
 	                                     substeps included, about 10 ns each; 1 to 1e9; CN_DEFAULT (default): the limits of single
 	                                     islands, and with CN_SOLVER_AUTO 512 contacts of a world */
 	float restitution_threshold_mps;  /* slower impacts do not bounce, >= 0; CN_DEFAULT (default): 1 x length unit */
-	float push_speed_max_mps;         /* greatest speed at which the overlap of two shapes is pushed apart, > 0; in a crowd the speeds of
+	float push_speed_max_mps;         /* greatest speed at which the overlap of two shapes is pushed apart, and a gap of a directly solved
+	                                     joint closes (rad/s for its angles), > 0; in a crowd the speeds of
 	                                     neighbours add up: n bodies made in one spot leave it at some sqrt(n) / 2 times as much, at most;
 	                                     CN_DEFAULT (default): 3 x length unit */
 	float linear_speed_max_mps;       /* faster bodies are slowed to it, > 0; CN_DEFAULT (default): 400 x length unit */
@@ -880,8 +881,8 @@ CN_API cn_result cn_shape_create_box(cn_world *world, const cn_shape_def *def, f
 /* Creates a chain; consecutive points at least 0.05% of the length unit apart. Wakes the body. out_shape may be NULL. O(count). */
 CN_API cn_result cn_shape_create_chain(cn_world *world, const cn_shape_def *def, const cn_chain *chain, cn_shape *out_shape);
 
-/* Attaches an unattached shape to a body and wakes the body, or those that meet the shape of a static one. CN_ERROR_STATE if the shape has a body. O(shapes of the body +
-   edges of a chain). */
+/* Attaches an unattached shape to a body and wakes the body, or those that meet the shape of a static one. CN_ERROR_STATE if the
+   shape has a body. O(shapes of the body + edges of a chain). */
 CN_API cn_result cn_shape_attach(cn_world *world, cn_shape shape, cn_body body);
 /* Detaches a shape from its body, ends its contacts and wakes the body. CN_ERROR_STATE if it has no body. O(contacts + shapes
    of the body). */
@@ -1076,7 +1077,8 @@ typedef struct cn_sensor_event {
 CN_API cn_result cn_world_sensor_events(const cn_world *world, const cn_sensor_event **out_events, int32_t *out_count);
 
 /* The body's contacts as events of kind STAY (touching) or CREATED (not touching), without those of sensors: see
-   cn_shape_get_visitors. Writes at most capacity (>= 0); out may be NULL when capacity is 0. *out_count is their number. O(contacts). */
+   cn_shape_get_visitors. Writes at most capacity (>= 0); out may be NULL when capacity is 0. *out_count is their number.
+   O(contacts). */
 CN_API cn_result cn_body_get_contacts(const cn_world *world, cn_body body, cn_contact_event *out, int32_t capacity, int32_t *out_count);
 
 /* The shape's contacts, a chain with all its edges; out, capacity, *out_count and kinds as in cn_body_get_contacts.
@@ -1634,8 +1636,9 @@ CN_API cn_result cn_shape_cast_ray(const cn_world *world, cn_shape shape, const 
    NULL. O(shapes along the way). */
 CN_API cn_result cn_world_cast_shape(const cn_world *world, const cn_polygon *shape, float translation_x_m, float translation_y_m, const cn_query_filter *filter, cn_ray_hit *out);
 
-/* Shapes whose AABBs, without margin, overlap a box, of a chain those of its edges, in the order of cn_world_get_shapes, each once. The first capacity
-   (>= 0) are written; *out_count is the number found. filter may be NULL. O(log shapes) to O(boxes in the region). */
+/* Shapes whose AABBs, without margin, overlap a box (of a chain: those of its edges), in the order of cn_world_get_shapes, each
+   once. The first capacity (>= 0) are written; *out_count is the number found. filter may be NULL. O(log shapes) to O(boxes in
+   the region). */
 CN_API cn_result cn_world_overlap_aabb(const cn_world *world, const cn_aabb *box, const cn_query_filter *filter, cn_shape *out, int32_t capacity, int32_t *out_count);
 /* Shapes that exactly overlap a circle; order, capacity, filter and cost as in cn_world_overlap_aabb. Edges and chains are
    lines here, seen from both sides. */

@@ -1983,7 +1983,7 @@ public:
 		return { Status(code, nullptr), std::move(out_out) };
 	}
 
-	/// Shapes whose AABBs, without margin, overlap a box, of a chain those of its edges, in the order of
+	/// Shapes whose AABBs, without margin, overlap a box (of a chain: those of its edges), in the order of
 	/// cn_world_get_shapes, each once. The first capacity (>= 0) are written; *out_count is the number found.
 	/// filter may be NULL. O(log shapes) to O(boxes in the region).
 	Result<std::vector<cn_shape>> overlap_aabb(const cn_aabb &box, const cn_query_filter *filter) const

@@ -236,9 +236,9 @@ namespace Cairn
 		public int work_budget;
 		/// <summary>slower impacts do not bounce, &gt;= 0; CN_DEFAULT (default): 1 x length unit</summary>
 		public float restitution_threshold_mps;
-		/// <summary>greatest speed at which the overlap of two shapes is pushed apart, &gt; 0; in a crowd the speeds of
-		/// neighbours add up: n bodies made in one spot leave it at some sqrt(n) / 2 times as much, at most;
-		/// CN_DEFAULT (default): 3 x length unit</summary>
+		/// <summary>greatest speed at which the overlap of two shapes is pushed apart, and a gap of a directly solved joint
+		/// closes (rad/s for its angles), &gt; 0; in a crowd the speeds of neighbours add up: n bodies made in one
+		/// spot leave it at some sqrt(n) / 2 times as much, at most; CN_DEFAULT (default): 3 x length unit</summary>
 		public float push_speed_max_mps;
 		/// <summary>faster bodies are slowed to it, &gt; 0; CN_DEFAULT (default): 400 x length unit</summary>
 		public float linear_speed_max_mps;
@@ -2981,7 +2981,7 @@ namespace Cairn
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_cast_shape(cn_world* world, cn_polygon* shape, float translation_x_m, float translation_y_m, cn_query_filter* filter, cn_ray_hit* @out);
 
-		/// <summary>Shapes whose AABBs, without margin, overlap a box, of a chain those of its edges, in the order of
+		/// <summary>Shapes whose AABBs, without margin, overlap a box (of a chain: those of its edges), in the order of
 		/// cn_world_get_shapes, each once. The first capacity (&gt;= 0) are written; *out_count is the number
 		/// found. filter may be NULL. O(log shapes) to O(boxes in the region).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

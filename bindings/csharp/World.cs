@@ -149,9 +149,9 @@ namespace Cairn
 		public int WorkBudget;
 		/// <summary>slower impacts do not bounce, &gt;= 0; CN_DEFAULT (default): 1 x length unit</summary>
 		public float RestitutionThresholdMps;
-		/// <summary>greatest speed at which the overlap of two shapes is pushed apart, &gt; 0; in a crowd the speeds of
-		/// neighbours add up: n bodies made in one spot leave it at some sqrt(n) / 2 times as much, at most;
-		/// CN_DEFAULT (default): 3 x length unit</summary>
+		/// <summary>greatest speed at which the overlap of two shapes is pushed apart, and a gap of a directly solved joint
+		/// closes (rad/s for its angles), &gt; 0; in a crowd the speeds of neighbours add up: n bodies made in one
+		/// spot leave it at some sqrt(n) / 2 times as much, at most; CN_DEFAULT (default): 3 x length unit</summary>
 		public float PushSpeedMaxMps;
 		/// <summary>faster bodies are slowed to it, &gt; 0; CN_DEFAULT (default): 400 x length unit</summary>
 		public float LinearSpeedMaxMps;
@@ -3574,7 +3574,7 @@ namespace Cairn
 			return *(RayHit*)&out0;
 		}
 
-		/// <summary>Shapes whose AABBs, without margin, overlap a box, of a chain those of its edges, in the order of
+		/// <summary>Shapes whose AABBs, without margin, overlap a box (of a chain: those of its edges), in the order of
 		/// cn_world_get_shapes, each once. The first capacity (&gt;= 0) are written; *out_count is the number
 		/// found. filter may be NULL. O(log shapes) to O(boxes in the region).</summary>
 		public Shape[] OverlapAabb(Aabb box, QueryFilter? filter = null)

@@ -294,9 +294,9 @@ type WorldDef struct {
 	WorkBudget int32
 	// slower impacts do not bounce, >= 0; CN_DEFAULT (default): 1 x length unit
 	RestitutionThresholdMps float32
-	// greatest speed at which the overlap of two shapes is pushed apart, > 0; in a crowd the speeds of
-	// neighbours add up: n bodies made in one spot leave it at some sqrt(n) / 2 times as much, at most;
-	// CN_DEFAULT (default): 3 x length unit
+	// greatest speed at which the overlap of two shapes is pushed apart, and a gap of a directly solved joint
+	// closes (rad/s for its angles), > 0; in a crowd the speeds of neighbours add up: n bodies made in one spot
+	// leave it at some sqrt(n) / 2 times as much, at most; CN_DEFAULT (default): 3 x length unit
 	PushSpeedMaxMps float32
 	// faster bodies are slowed to it, > 0; CN_DEFAULT (default): 400 x length unit
 	LinearSpeedMaxMps float32
@@ -3544,9 +3544,9 @@ func (w *World) CastShape(shape *Polygon, translation_x_m float32, translation_y
 	return out0, nil
 }
 
-// OverlapAabb: Shapes whose AABBs, without margin, overlap a box, of a chain those of its edges, in the order
-// of cn_world_get_shapes, each once. The first capacity (>= 0) are written; *out_count is the number found.
-// filter may be NULL. O(log shapes) to O(boxes in the region).
+// OverlapAabb: Shapes whose AABBs, without margin, overlap a box (of a chain: those of its edges), in the
+// order of cn_world_get_shapes, each once. The first capacity (>= 0) are written; *out_count is the number
+// found. filter may be NULL. O(log shapes) to O(boxes in the region).
 func (w *World) OverlapAabb(box *Aabb, filter *QueryFilter) ([]Shape, error) {
 	defer runtime.KeepAlive(w)
 	var count C.int32_t

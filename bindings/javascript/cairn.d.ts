@@ -278,9 +278,9 @@ export interface WorldDef {
 	work_budget: number;
 	/** slower impacts do not bounce, >= 0; CN_DEFAULT (default): 1 x length unit */
 	restitution_threshold_mps: number;
-	/** greatest speed at which the overlap of two shapes is pushed apart, > 0; in a crowd the speeds of
-	neighbours add up: n bodies made in one spot leave it at some sqrt(n) / 2 times as much, at most; CN_DEFAULT
-	(default): 3 x length unit */
+	/** greatest speed at which the overlap of two shapes is pushed apart, and a gap of a directly solved joint
+	closes (rad/s for its angles), > 0; in a crowd the speeds of neighbours add up: n bodies made in one spot
+	leave it at some sqrt(n) / 2 times as much, at most; CN_DEFAULT (default): 3 x length unit */
 	push_speed_max_mps: number;
 	/** faster bodies are slowed to it, > 0; CN_DEFAULT (default): 400 x length unit */
 	linear_speed_max_mps: number;
@@ -1812,7 +1812,7 @@ export class World {
 	circle, capsule. A shape in contact at the start: see cn_ray_hit. A chain is met if the mean of the moving
 	points is in front of it. filter may be NULL. O(shapes along the way). */
 	castShape(shape: In<Polygon>, translation_x_m: number, translation_y_m: number, filter?: In<QueryFilter> | null): RayHit;
-	/** Shapes whose AABBs, without margin, overlap a box, of a chain those of its edges, in the order of
+	/** Shapes whose AABBs, without margin, overlap a box (of a chain: those of its edges), in the order of
 	cn_world_get_shapes, each once. The first capacity (>= 0) are written; *out_count is the number found. filter
 	may be NULL. O(log shapes) to O(boxes in the region). */
 	overlapAabb(box: In<Aabb>, filter?: In<QueryFilter> | null): Shape[];

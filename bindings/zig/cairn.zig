@@ -534,9 +534,9 @@ pub const cn_world_def = extern struct {
     work_budget: i32,
     /// slower impacts do not bounce, >= 0; CN_DEFAULT (default): 1 x length unit
     restitution_threshold_mps: f32,
-    /// greatest speed at which the overlap of two shapes is pushed apart, > 0; in a crowd the speeds of
-    /// neighbours add up: n bodies made in one spot leave it at some sqrt(n) / 2 times as much, at most;
-    /// CN_DEFAULT (default): 3 x length unit
+    /// greatest speed at which the overlap of two shapes is pushed apart, and a gap of a directly solved
+    /// joint closes (rad/s for its angles), > 0; in a crowd the speeds of neighbours add up: n bodies made in
+    /// one spot leave it at some sqrt(n) / 2 times as much, at most; CN_DEFAULT (default): 3 x length unit
     push_speed_max_mps: f32,
     /// faster bodies are slowed to it, > 0; CN_DEFAULT (default): 400 x length unit
     linear_speed_max_mps: f32,
@@ -2425,7 +2425,7 @@ pub extern fn cn_shape_cast_ray(world: *const cn_world, shape: cn_shape, ray: *c
 /// circle, capsule. A shape in contact at the start: see cn_ray_hit. A chain is met if the mean of the moving
 /// points is in front of it. filter may be NULL. O(shapes along the way).
 pub extern fn cn_world_cast_shape(world: *const cn_world, shape: *const cn_polygon, translation_x_m: f32, translation_y_m: f32, filter: ?*const cn_query_filter, out: *cn_ray_hit) cn_result;
-/// Shapes whose AABBs, without margin, overlap a box, of a chain those of its edges, in the order of
+/// Shapes whose AABBs, without margin, overlap a box (of a chain: those of its edges), in the order of
 /// cn_world_get_shapes, each once. The first capacity (>= 0) are written; *out_count is the number found.
 /// filter may be NULL. O(log shapes) to O(boxes in the region).
 pub extern fn cn_world_overlap_aabb(world: *const cn_world, box: *const cn_aabb, filter: ?*const cn_query_filter, out: ?[*]cn_shape, capacity: i32, out_count: *i32) cn_result;

@@ -1782,7 +1782,7 @@ pub const World = struct {
         return out0;
     }
 
-    /// Shapes whose AABBs, without margin, overlap a box, of a chain those of its edges, in the order of
+    /// Shapes whose AABBs, without margin, overlap a box (of a chain: those of its edges), in the order of
     /// cn_world_get_shapes, each once. The first capacity (>= 0) are written; *out_count is the number found.
     /// filter may be NULL. O(log shapes) to O(boxes in the region).
     /// The caller frees the slice.

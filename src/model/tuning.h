@@ -181,7 +181,7 @@ CNI_TUNING_FLOAT(CNI_DIRECT_LEAK, 1e-5f)
 /* Length units. Joints that are open by more are soft, with those that are joined to them. With 0.12 ropes over pegs that were torn in an impact
    open by 13% more, as they are soft under their loads and stay open. */
 CNI_TUNING_FLOAT(CNI_JOINT_TORN, 0.25f)
-/* Length units. A loop between fixed bodies that was soft stays so while a joint is open by more, unless RATTLE closes it. */
+/* Length units. A loop, or an ill scaled tree, that was soft stays so while a joint is open by more, unless RATTLE closes it. */
 CNI_TUNING_FLOAT(CNI_LOOP_OPEN, 0.002f)
 /* Greatest mass over least of joined bodies from which a pivot is checked, and the part of its diagonal below which rounding has eaten it: rows of
    heavy and light bodies in turn are exact up to 1:1e5. Contacts of such bodies know no joints: what one does to the lightest is rounding. */

@@ -127,8 +127,8 @@ void cni_file_pieces(cn_world *world, cni_file *f);
 void cni_file_counts(cn_world *world, cni_file *f);
 /* The shapes' boxes, from the proxies. */
 void cni_file_boxes(cn_world *world, cni_file *f);
-/* Flags of contacts that files of earlier versions do not have; after cni_file_world_holds. */
-void cni_file_contacts(cn_world *world, const cni_file *f);
+/* Flags of contacts that files of earlier versions do not have, and extra rows of those asleep; after cni_file_world_holds. */
+void cni_file_contacts(cn_world *world, cni_file *f);
 /* The broadphase, after all checks. */
 void cni_file_broadphase(cn_world *world, cni_file *f);
 

@@ -271,15 +271,6 @@ static void free_contacts_link(cn_world *world)
 	}
 }
 
-int32_t cni_file_needs_extra(const cn_world *world)
-{
-	int32_t k;
-	for (k = 0; k < world->contact_used; ++k)
-		if ((cni_contact_at(world, k)->flags & CNI_CONTACT_TOUCHING) && cni_contact_needs_extra(world, cni_contact_at(world, k)))
-			return 1;
-	return 0;
-}
-
 void cni_file_counts(cn_world *world, cni_file *f)
 {
 	int32_t movable, good;
@@ -296,7 +287,7 @@ void cni_file_counts(cn_world *world, cni_file *f)
 	}
 	cni_dummy_stand(world);
 	good = cni_body_reserve(world, 0) == CN_OK && cni_lane_reserve(world, world->touching_count) && cni_contact_reserve(world, 0) == CN_OK &&
-	       (!world->memory.fixed || cni_contact_reserve_reports(world, world->contacts_reporting)) && cni_island_reserve(world, 0) && cni_joint_reserve(world, 0) == CN_OK && (!cni_file_needs_extra(world) || cni_lane_reserve_extra(world));
+	       (!world->memory.fixed || cni_contact_reserve_reports(world, world->contacts_reporting)) && cni_island_reserve(world, 0) && cni_joint_reserve(world, 0) == CN_OK;
 	if (!good)
 		cni_file_fail(f, CN_ERROR_MEMORY);
 }
@@ -396,12 +387,23 @@ static void contact_set_static(cn_world *world, cni_contact *c)
 	b->flags |= CNI_BODY_MIXED;
 }
 
-void cni_file_contacts(cn_world *world, const cni_file *f)
+int32_t cni_file_needs_extra(const cn_world *world)
+{
+	int32_t k;
+	for (k = 0; k < world->contact_used; ++k)
+		if ((cni_contact_at(world, k)->flags & CNI_CONTACT_TOUCHING) && cni_contact_needs_extra(world, cni_contact_at(world, k)))
+			return 1;
+	return 0;
+}
+
+void cni_file_contacts(cn_world *world, cni_file *f)
 {
 	int32_t k;
 	for (k = 0; k < world->contact_used && f->result == CN_OK; ++k)
 		if (cni_contact_at(world, k)->body[0] != CNI_NONE)
 			contact_set_static(world, cni_contact_at(world, k));
+	if (f->result == CN_OK && cni_file_needs_extra(world) && !cni_lane_reserve_extra(world))
+		cni_file_fail(f, CN_ERROR_MEMORY);
 }
 
 void cni_file_boxes(cn_world *world, cni_file *f)

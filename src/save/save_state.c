@@ -23,7 +23,8 @@ static void rooms_pass(cn_world *world, cni_snapshot *s)
 	int32_t extra = cni_snapshot_number(s, cni_table_capacity(&world->blocks_extra) > 0 && cni_file_needs_extra(world));
 	if (!cni_snapshot_reserves(s))
 		return;
-	cni_snapshot_need(s, cni_body_reserve(world, movable - world->movable_count) == CN_OK && cni_lane_reserve(world, lanes) && (!extra || cni_lane_reserve_extra(world)) &&
+	cni_snapshot_need(s, cni_body_reserve(world, movable - world->movable_count) == CN_OK && cni_lane_reserve(world, lanes) &&
+	                             (!extra || cni_lane_reserve_extra(world)) &&
 	                             cni_contact_reserve(world, contacts - world->contact_count) == CN_OK &&
 	                             (!world->memory.fixed || cni_contact_reserve_reports(world, reporting)) &&
 	                             cni_island_reserve(world, islands - world->island_count) &&

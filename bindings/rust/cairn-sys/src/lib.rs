@@ -384,9 +384,9 @@ pub struct cn_world_def {
     pub work_budget: i32,
     /// slower impacts do not bounce, >= 0; CN_DEFAULT (default): 1 x length unit
     pub restitution_threshold_mps: f32,
-    /// greatest speed at which the overlap of two shapes is pushed apart, > 0; in a crowd the speeds of
-    /// neighbours add up: n bodies made in one spot leave it at some sqrt(n) / 2 times as much, at most;
-    /// CN_DEFAULT (default): 3 x length unit
+    /// greatest speed at which the overlap of two shapes is pushed apart, and a gap of a directly solved
+    /// joint closes (rad/s for its angles), > 0; in a crowd the speeds of neighbours add up: n bodies made in
+    /// one spot leave it at some sqrt(n) / 2 times as much, at most; CN_DEFAULT (default): 3 x length unit
     pub push_speed_max_mps: f32,
     /// faster bodies are slowed to it, > 0; CN_DEFAULT (default): 400 x length unit
     pub linear_speed_max_mps: f32,
@@ -2418,7 +2418,7 @@ extern "C" {
     /// 2: circle, capsule. A shape in contact at the start: see cn_ray_hit. A chain is met if the mean of the
     /// moving points is in front of it. filter may be NULL. O(shapes along the way).
     pub fn cn_world_cast_shape(world: *const cn_world, shape: *const cn_polygon, translation_x_m: f32, translation_y_m: f32, filter: *const cn_query_filter, out: *mut cn_ray_hit) -> cn_result;
-    /// Shapes whose AABBs, without margin, overlap a box, of a chain those of its edges, in the order of
+    /// Shapes whose AABBs, without margin, overlap a box (of a chain: those of its edges), in the order of
     /// cn_world_get_shapes, each once. The first capacity (>= 0) are written; *out_count is the number found.
     /// filter may be NULL. O(log shapes) to O(boxes in the region).
     pub fn cn_world_overlap_aabb(world: *const cn_world, r#box: *const cn_aabb, filter: *const cn_query_filter, out: *mut cn_shape, capacity: i32, out_count: *mut i32) -> cn_result;

@@ -1757,7 +1757,7 @@ impl World {
         Ok(out_out)
     }
 
-    /// Shapes whose AABBs, without margin, overlap a box, of a chain those of its edges, in the order of
+    /// Shapes whose AABBs, without margin, overlap a box (of a chain: those of its edges), in the order of
     /// cn_world_get_shapes, each once. The first capacity (>= 0) are written; *out_count is the number found.
     /// filter may be NULL. O(log shapes) to O(boxes in the region).
     pub fn overlap_aabb(&self, r#box: &Aabb, filter: Option<&QueryFilter>) -> Result<Vec<Shape>> {
