@@ -79,17 +79,18 @@ void cni_component_suspend(cn_world *world, cni_sparse *sparse, cni_component *c
    apart: what a gap's closing gives to light parts they keep. Returns the number of joints. */
 static int32_t levers_read(const cn_world *world, cni_sparse *sparse, const cni_component *c, float rate)
 {
-	float most = world->settings.push_speed_max;
 	int32_t k, i, joints = 0;
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
 		const cni_row *rows;
+		float most;
 		if (n->owner < 0)
 			continue;
 		++joints;
 		rows = cni_joint_constraints(world)[n->owner].rows;
 		for (i = 0; i < n->rows; ++i) {
 			cni_levers_set(&n->levers, i, cni_row_lever(&rows[i]));
+			most = cni_row_push_speed(&rows[i], &world->settings);
 			n->closing[i] = cni_clamp(rate * rows[i].error, -most, most);
 		}
 	}
