@@ -98,8 +98,6 @@ typedef struct cni_broadphase_ops {
 	uint64_t (*bytes)(const cni_broadphase *broadphase);
 	/* Non-empty tiles or nodes, for counters. */
 	int32_t (*cells)(const cni_broadphase *broadphase);
-	/* 1 when its own invariants hold. O(n). */
-	int32_t (*validate)(const cni_broadphase *broadphase);
 	/* Upper bound of the bytes that capacity proxies take, for fixed-memory worlds. */
 	uint64_t (*bytes_needed)(int32_t capacity);
 	/* Passes the state through a snapshot, after the proxy table. */
@@ -108,5 +106,15 @@ typedef struct cni_broadphase_ops {
 
 extern const cni_broadphase_ops cni_broadphase_sweep; /* broadphase/sweep.c */
 extern const cni_broadphase_ops cni_broadphase_tree;  /* broadphase/broadphase_tree.c */
+
+/* 1 when the broadphase's own invariants hold. O(n). Not among the operations: programs that do not validate leave it out. */
+int32_t cni_broadphase_sweep_holds(const cni_broadphase *broadphase);
+int32_t cni_broadphase_tree_holds(const cni_broadphase *broadphase);
+static inline int32_t cni_broadphase_holds(const cni_broadphase_ops *ops, const cni_broadphase *broadphase)
+{
+	if (CNI_HAS_TREE && (!CNI_HAS_SWEEP || ops == &cni_broadphase_tree))
+		return cni_broadphase_tree_holds(broadphase);
+	return !CNI_HAS_SWEEP || cni_broadphase_sweep_holds(broadphase);
+}
 
 #endif

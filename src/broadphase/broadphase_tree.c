@@ -203,7 +203,7 @@ static uint64_t tree_bytes_needed(int32_t capacity)
 	       cni_memory_rounded(proxies * sizeof(int32_t));
 }
 
-static int32_t tree_validate(const cni_broadphase *broadphase)
+int32_t cni_broadphase_tree_holds(const cni_broadphase *broadphase)
 {
 	const tree_broadphase *b = const_tree_of(broadphase);
 	int32_t id;
@@ -247,5 +247,5 @@ static void tree_snapshot(cni_broadphase *broadphase, cni_snapshot *s)
 
 const cni_broadphase_ops cni_broadphase_tree = {
 	tree_create, tree_destroy, tree_reserve, tree_add, tree_remove, tree_move, tree_touch, tree_update,
-	tree_settle, tree_query, tree_ray, tree_bytes, tree_cells, tree_validate, tree_bytes_needed, tree_snapshot,
+	tree_settle, tree_query, tree_ray, tree_bytes, tree_cells, tree_bytes_needed, tree_snapshot,
 };

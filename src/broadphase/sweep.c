@@ -274,7 +274,7 @@ static int32_t marks_hold(const cni_sweep *sweep, int32_t entries)
 	return moved == sweep->moved_count && loose == sweep->loose_count && entries == sweep->count;
 }
 
-static int32_t sweep_validate(const cni_broadphase *broadphase)
+int32_t cni_broadphase_sweep_holds(const cni_broadphase *broadphase)
 {
 	int32_t entries;
 	return tiles_hold(cni_sweep_of(broadphase), &entries) && marks_hold(cni_sweep_of(broadphase), entries);
@@ -311,5 +311,5 @@ static void sweep_snapshot(cni_broadphase *broadphase, cni_snapshot *s)
 
 const cni_broadphase_ops cni_broadphase_sweep = {
 	sweep_create, sweep_destroy,   sweep_reserve, sweep_add,   sweep_remove, sweep_move,     sweep_touch,        sweep_update,
-	sweep_settle, cni_sweep_query, cni_sweep_ray, sweep_bytes, sweep_cells,  sweep_validate, sweep_bytes_needed, sweep_snapshot,
+	sweep_settle, cni_sweep_query, cni_sweep_ray, sweep_bytes, sweep_cells,  sweep_bytes_needed, sweep_snapshot,
 };

@@ -323,7 +323,7 @@ cn_result cn_world_validate(const cn_world *world, char *text, int32_t text_byte
 	check_islands(&r);
 	check_joints(&r);
 	check_areas(&r);
-	expect(&r, world->broadphase_ops->validate(world->broadphase), "broadphase", 0);
+	expect(&r, cni_broadphase_holds(world->broadphase_ops, world->broadphase), "broadphase", 0);
 	{
 		cni_text out = cni_text_begin(text, text_bytes);
 		if (r.what == NULL)

@@ -168,18 +168,18 @@ static void scene_run(const char *name, const scene *s)
 	REQUIRE(world_open(&w, s->boxes, 0, 0));
 	for (id = 0; id < s->boxes; ++id) {
 		scene_add(&w, s, id);
-		invalid += id % 50 == 0 && !w.ops->validate(w.broadphase);
+		invalid += id % 50 == 0 && !cni_broadphase_holds(w.ops, w.broadphase);
 	}
 	wrong_queries += scene_queries(&w, s, 5);
 	for (step = 0; step < s->steps; ++step) {
 		wrong += world_update(&w);
 		scene_step(&w, s);
-		invalid += !w.ops->validate(w.broadphase);
+		invalid += !cni_broadphase_holds(w.ops, w.broadphase);
 		if (step % 3 == 0)
 			w.ops->settle(w.broadphase);
 		if (step % 20 == 5)
 			wrong_queries += scene_queries(&w, s, 4);
-		invalid += !w.ops->validate(w.broadphase);
+		invalid += !cni_broadphase_holds(w.ops, w.broadphase);
 	}
 	printf("  %s: %lld new pairs, %d filter calls, %d cells for %d boxes, %llu bytes\n", name, (long long)pairs_seen, w.filter_calls,
 	       w.ops->cells(w.broadphase), s->boxes, (unsigned long long)w.ops->bytes(w.broadphase));
@@ -313,7 +313,7 @@ static void t_rebuilding_changes_nothing(void)
 		}
 		for (step = 0; step < 12; ++step) {
 			wrong += world_update(&w);
-			invalid += !w.ops->validate(w.broadphase);
+			invalid += !cni_broadphase_holds(w.ops, w.broadphase);
 			for (id = 0; id < 800; ++id)
 				if (w.alive[id] && random_unit() < 0.1f) {
 					cni_aabb box = box_within(-spread, spread, -spread, spread, cni_v(size, size));
@@ -529,7 +529,7 @@ static int64_t fail_run(int64_t fail_first, int64_t fail_last, uint32_t one_in, 
 		cni_arena_reset(&w.arena);
 		sums->lost += w.pairs.pairs_lost;
 		sums->missing += cni_max_i(0, known_after_update(&w) - w.pairs.pairs_lost);
-		sums->invalid += !w.ops->validate(w.broadphase);
+		sums->invalid += !cni_broadphase_holds(w.ops, w.broadphase);
 		sums->invalid += step >= 12 && w.pairs.pairs_lost > 0;
 		sums->wrong_queries += query_differs(&w, box_within(-9, 9, -9, 9, cni_v(5, 5)));
 		from = size_between(-9, 9);

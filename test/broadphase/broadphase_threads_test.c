@@ -182,7 +182,7 @@ static void crowd_update(crowd *c, outcome *o)
 	digest_add(o, (uint64_t)c->pairs.pairs_lost);
 	o->pairs += c->pairs.list.count;
 	o->lost += c->pairs.pairs_lost;
-	o->invalid += !c->ops->validate(c->broadphase);
+	o->invalid += !cni_broadphase_holds(c->ops, c->broadphase);
 	c->scratch.fail_at = 0; /* the end of a step grows the arena */
 	cni_arena_reset(&c->arena);
 }
