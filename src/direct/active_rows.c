@@ -22,13 +22,13 @@
 
 /* Target speed of the row; for a limit, the least speed. Limits push no faster than overlaps: joints of figures under a slab would stretch
    by a sixth more. */
-static float target_speed(const cn_world *world, const cni_row *r, const cni_solve *s, int32_t bias)
+static float target_speed(const cni_row *r, const cni_solve *s, const cni_push_speeds *push, int32_t bias)
 {
 	if (r->kind == CNI_ROW_MOTOR)
 		return cni_motor_target(r, s->inv_h, bias ? CNI_JOINT_ERROR_RATE * s->inv_h : 0.0f);
 	if (r->error > 0.0f)
 		return -r->error * s->inv_h;
-	return bias ? cni_min(-CNI_JOINT_ERROR_RATE * s->inv_h * r->error, cni_row_push_speed(r, &world->settings)) : 0.0f;
+	return bias ? cni_min(-CNI_JOINT_ERROR_RATE * s->inv_h * r->error, cni_row_push_speed(r, push)) : 0.0f;
 }
 
 /* ---- which rows ---- */
@@ -105,11 +105,12 @@ void cni_active_levers(const cn_world *world, cni_sparse *sparse, const cni_comp
 void cni_active_right_sides(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c, int32_t bias)
 {
 	const cni_motion *motions = cni_motions(world);
+	const cni_push_speeds push = cni_push_speeds_of(world);
 	int32_t k;
 	for (k = c->active_first; k != CNI_NONE; k = sparse->nodes[k].next_active) {
 		cni_node *n = &sparse->nodes[k];
 		const cni_row *r = cni_active_row(world, n);
-		n->target = target_speed(world, r, s, bias);
+		n->target = target_speed(r, s, &push, bias);
 		if (n->active & CNI_ROW_IN_SET)
 			n->x[2] = n->target - cni_row_speed(r, motions + n->ia, motions + n->ib);
 	}

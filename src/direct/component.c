@@ -79,6 +79,7 @@ void cni_component_suspend(cn_world *world, cni_sparse *sparse, cni_component *c
    apart: what a gap's closing gives to light parts they keep. Returns the number of joints. */
 static int32_t levers_read(const cn_world *world, cni_sparse *sparse, const cni_component *c, float rate)
 {
+	const cni_push_speeds push = cni_push_speeds_of(world);
 	int32_t k, i, joints = 0;
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
@@ -90,7 +91,7 @@ static int32_t levers_read(const cn_world *world, cni_sparse *sparse, const cni_
 		rows = cni_joint_constraints(world)[n->owner].rows;
 		for (i = 0; i < n->rows; ++i) {
 			cni_levers_set(&n->levers, i, cni_row_lever(&rows[i]));
-			most = cni_row_push_speed(&rows[i], &world->settings);
+			most = cni_row_push_speed(&rows[i], &push);
 			n->closing[i] = cni_clamp(rate * rows[i].error, -most, most);
 		}
 	}

@@ -212,16 +212,16 @@ static int32_t is_contradictory(const cn_world *world, const cni_solve *s, const
 	return 0;
 }
 
-/* Do some of its rows say nearly the same as others? Forms its system, and clears it again. */
+/* Do some of its rows say nearly the same as others? Begins it for the substeps, and takes that back where they do not. */
 static int32_t is_redundant(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c, float part)
 {
-	int32_t width = c->width, redundant;
+	int32_t width = c->width;
 	cni_direct_begin(world, s, sparse, c);
-	redundant = cni_sparse_is_redundant(sparse, c, part);
+	if (cni_sparse_is_redundant(sparse, c, part))
+		return 1;
 	c->active = 0; /* RATTLE and batches have no active set */
 	c->width = width;
-	cni_sparse_clear(sparse, c);
-	return redundant;
+	return 0;
 }
 
 static float mass_ratio(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
@@ -253,11 +253,10 @@ static int32_t is_ill_scaled(cn_world *world, const cni_solve *s, cni_sparse *sp
    freely turns at rest in itself, and stays with RATTLE. */
 static void rattle_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c)
 {
-	c->uses_rattle = !(c->loops && joints_to_fixed(world, sparse, c) > 0 && is_redundant(world, s, sparse, c, CNI_RATTLE_REDUNDANT));
-	if (c->uses_rattle)
-		cni_sparse_clear(sparse, c);
+	if (c->loops && joints_to_fixed(world, sparse, c) > 0 && is_redundant(world, s, sparse, c, CNI_RATTLE_REDUNDANT))
+		c->uses_rattle = 0;
 	else
-		cni_direct_begin(world, s, sparse, c);
+		cni_sparse_clear(sparse, c);
 }
 
 /* One joint to the world. */

@@ -95,13 +95,14 @@ static void joint_drift(const cn_world *world, const cni_solve *s, cni_node *n)
 {
 	const cni_motion *motions = cni_motions(world);
 	const cni_joint_constraint *w = cni_joint_constraints(world) + n->owner;
+	const cni_push_speeds push = cni_push_speeds_of(world);
 	float ahead[CNI_NODE_ROWS], now[CNI_NODE_LANES];
 	int32_t i;
 	cni_joint_constraint_ahead(w, motions, s->h, ahead);
 	cni_four_store(now, cni_levers_speed(&n->levers, motions + n->ia, motions + n->ib));
 	for (i = 0; i < n->rows; ++i) {
-		float speed = (ahead[i] - w->rows[i].error) * s->inv_h - now[i];
-		n->x[i] -= cni_clamp(speed, -s->push_speed, s->push_speed);
+		float speed = (ahead[i] - w->rows[i].error) * s->inv_h - now[i], most = cni_row_push_speed(&w->rows[i], &push);
+		n->x[i] -= cni_clamp(speed, -most, most);
 	}
 }
 

@@ -125,7 +125,8 @@ static float overlap(const cni_contact_block *k, int32_t l)
 	return cni_max(k->p[0].nm[l] > 0.0f ? -k->p[0].s0[l] : -FLT_MAX, k->p[1].nm[l] > 0.0f ? -k->p[1].s0[l] : -FLT_MAX);
 }
 
-/* 1: its bodies have yet to meet: no contact bears anything, and many have a small gap. */
+/* 1: its bodies have yet to meet: no contact bears anything, and many have a small gap (those of two dynamic bodies count
+   twice). */
 static int32_t island_is_meeting(const cn_world *world, const cni_island *i)
 {
 	int32_t body, key, gaps = 0;

@@ -93,11 +93,18 @@ static inline cni_lever cni_row_lever(const cni_row *r)
 	cni_lever l = { r->ax, r->ay, r->aw, r->bx, r->by, r->bw };
 	return l;
 }
-/* Greatest speed at which a row closes its error: that of overlaps, and for angles as many rad/s as length units a second. */
-static inline float cni_row_push_speed(const cni_row *r, const cni_settings *set)
+/* Greatest speed at which a row closes its error: that of overlaps, metres a second, and for angles rad/s, as many as length units a second. */
+typedef struct cni_push_speeds {
+	float linear, angular;
+} cni_push_speeds;
+static inline cni_push_speeds cni_push_speeds_of(const cn_world *world)
 {
-	int32_t turns = r->ax == 0.0f && r->ay == 0.0f && r->bx == 0.0f && r->by == 0.0f;
-	return turns ? set->push_speed_max / set->length_unit : set->push_speed_max;
+	cni_push_speeds p = { world->settings.push_speed_max, world->settings.push_speed_max / world->settings.length_unit };
+	return p;
+}
+static inline float cni_row_push_speed(const cni_row *r, const cni_push_speeds *p)
+{
+	return r->ax == 0.0f && r->ay == 0.0f && r->bx == 0.0f && r->by == 0.0f ? p->angular : p->linear;
 }
 /* Target speed of a motor, which does not pass a limit within the substep: a limit is soft and would give way to a strong motor. Beyond the
    limit it returns with the limit: rate is cni_soft_error_rate. */

@@ -94,8 +94,8 @@ static void impulses_sum(cn_world *world, const cni_solve *s)
 	cni_impulse_sums_close(world, s);
 }
 
-/* A step without motion has contacts and events, too. */
-static void report_without_motion(cn_world *world)
+/* A step without motion moves nothing, and has contacts and events, too. */
+static void finish_without_motion(cn_world *world)
 {
 	int32_t k;
 	for (k = 1; k < world->awake_count; ++k)
@@ -175,7 +175,7 @@ static int32_t step_soft(cn_world *world, float dt, uint64_t *mark)
 	cni_stage_narrowphase(world, dt);
 	profile_mark(world, &profile->narrowphase_s, mark);
 	if (dt == 0.0f) {
-		report_without_motion(world);
+		finish_without_motion(world);
 		return 0;
 	}
 	world->mean_dt = s.mean_dt;
@@ -239,7 +239,7 @@ static int32_t step_sequential(cn_world *world, float dt, uint64_t *mark)
 	cni_stage_narrowphase(world, 0.0f);                        /* 6 */
 	profile_mark(world, &profile->narrowphase_s, mark);
 	if (dt == 0.0f) {
-		report_without_motion(world);
+		finish_without_motion(world);
 		return 0;
 	}
 	cni_impulse_sums_make(world);

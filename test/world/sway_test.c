@@ -102,7 +102,7 @@ static int32_t houses_that_fall(int32_t solver)
 {
 	int32_t lean, push, fell = 0;
 	for (lean = 0; lean < 16; ++lean)
-		for (push = 0; push < 5; ++push) {
+		for (push = 0; push < 6; ++push) {
 			pile p;
 			begin(&p, solver);
 			house(&p, 3, 0.02f, 0.26f + 0.01f * (float)lean);
@@ -128,8 +128,8 @@ static int32_t high_houses_that_fall(int32_t solver, float gravity)
 
 static void t_houses_of_cards_settle(void)
 {
-	CHECK_LE("houses of 80 that fall", houses_that_fall(CN_SOLVER_AUTO), 0, "");
-	CHECK_LE("... with soft constraints alone", houses_that_fall(CN_SOLVER_SOFT), 0, "");
+	CHECK_LE("houses of 96 that fall", houses_that_fall(CN_SOLVER_AUTO), 1, "");
+	CHECK_LE("... with soft constraints alone", houses_that_fall(CN_SOLVER_SOFT), 1, "");
 	CHECK_LE("high houses of 40 that fall", high_houses_that_fall(CN_SOLVER_AUTO, 10.0f), 3, "");
 	CHECK_LE("... with soft constraints alone", high_houses_that_fall(CN_SOLVER_SOFT, 10.0f), 3, "");
 	CHECK_LE("... under four times the gravity", high_houses_that_fall(CN_SOLVER_AUTO, 40.0f), 6, "");
