@@ -348,7 +348,7 @@ $(BUILD)/bin/families: $(FAMILIES_OBJ) $(BUILD)/libcairn.a
 families: $(BUILD)/bin/families
 	@CC='$(CC)' sh test/families/run.sh $(BUILD) $(if $(PEERS),--peers) $(if $(SEEDS),--seeds $(SEEDS)) $(if $(SEED_FIRST),--first $(SEED_FIRST)) \
 		$(if $(FAMILY),--family $(FAMILY)) $(if $(SOLVERS),--solvers $(SOLVERS)) $(if $(SUBSTEPS),--substeps $(SUBSTEPS)) \
-		$(if $(NOISE),--noise $(NOISE)) $(if $(MEDDLE),--meddle $(MEDDLE)) $(if $(DRIFT),--drift $(DRIFT)) $(if $(PACE),--pace $(PACE)) $(if $(MONOTONE),--monotone $(MONOTONE))
+		$(if $(NOISE),--noise $(NOISE)) $(if $(MEDDLE),--meddle $(MEDDLE)) $(if $(DRIFT),--drift $(DRIFT)) $(if $(PACE),--pace $(PACE)) $(if $(SURFACE),--surface $(SURFACE)) $(if $(MONOTONE),--monotone $(MONOTONE))
 
 # Times of a step with 1 to 64 workers by a simulated schedule, and what stays serial: test/schedule/main.c. SCENE='smash rain': those.
 SCHEDULE_OBJ := $(patsubst %.c,$(BUILD)/release/%.o,$(sort $(wildcard test/schedule/*.c)))

@@ -10,14 +10,26 @@
 
 #include <string.h>
 
-int32_t cni_direct_lane_is_plain(const cn_world *world, const cni_contact *c)
+static const cni_block_extra *extra_rows(const cn_world *world, const cni_contact *c)
 {
-	int32_t block = c->slot / CNI_LANES, l = c->slot % CNI_LANES;
-	const cni_block_info *info = cni_block_info_at(world, block);
-	const cni_block_extra *x = info->flags & CNI_BLOCK_EXTRA ? cni_block_extra_at(world, block) : NULL;
-	if (info->restitution[l] > 0.0f)
+	int32_t block = c->slot / CNI_LANES;
+	return cni_block_info_at(world, block)->flags & CNI_BLOCK_EXTRA ? cni_block_extra_at(world, block) : NULL;
+}
+
+int32_t cni_direct_lane_is_locked(const cn_world *world, const cni_contact *c)
+{
+	const cni_block_extra *x = extra_rows(world, c);
+	int32_t l = c->slot % CNI_LANES;
+	return x != NULL && x->lock_ax[l] + x->lock_ay[l] + x->lock_bx[l] + x->lock_by[l] != 0.0f;
+}
+
+static int32_t lane_is_plain(const cn_world *world, const cni_contact *c)
+{
+	const cni_block_extra *x = extra_rows(world, c);
+	int32_t l = c->slot % CNI_LANES;
+	if (cni_block_info_at(world, c->slot / CNI_LANES)->restitution[l] > 0.0f || cni_direct_lane_is_locked(world, c))
 		return 0;
-	return x == NULL || (x->rolling[l] == 0.0f && x->tangent_speed[l] == 0.0f && x->lock_ax[l] + x->lock_ay[l] + x->lock_bx[l] + x->lock_by[l] == 0.0f);
+	return x == NULL || (x->rolling[l] == 0.0f && x->tangent_speed[l] == 0.0f);
 }
 
 /*
@@ -49,6 +61,7 @@ void cni_direct_contact_read(const cn_world *world, const cni_contact *c, cni_di
 	p->fb = k->fb[l];
 	p->static_friction = k->static_friction[l];
 	p->dynamic_friction = k->dynamic_friction[l];
+	p->tangent_speed = extra_rows(world, c) != NULL ? extra_rows(world, c)->tangent_speed[l] : 0.0f;
 	p->untouched = 1;
 	p->mass[2] = k->tm[l];
 	p->j[2] = p->first[2] = k->jt[l];
@@ -76,7 +89,7 @@ int32_t cni_direct_contacts_collect(const cn_world *world, int32_t island, cni_d
 				continue;
 			if (cni_body_at(world, other)->type == CN_BODY_DYNAMIC && (key & 1))
 				continue; /* collected at its other body */
-			if (!cni_direct_lane_is_plain(world, c))
+			if (!lane_is_plain(world, c))
 				return CNI_DIRECT_CONTACTS_KIND;
 			if (count == room)
 				return CNI_DIRECT_CONTACTS_MANY;

@@ -28,7 +28,7 @@ void cni_direct_warm_start(cn_world *world, const cni_solve *s);
 void cni_direct_solve(cn_world *world, const cni_solve *s, int32_t bias);
 /* After the contact pass: solves joints again that contacts would open in this substep. */
 void cni_direct_project(cn_world *world, const cni_solve *s);
-/* Writes the contacts of the direct solver back to their lanes. */
+/* After the substeps: contacts that the joints bear bounce; writes the contacts of the direct solver back to their lanes. */
 void cni_direct_store(cn_world *world, const cni_solve *s);
 /* At the end of a substep: adds the impulses of directly solved contacts to the sums of those that report them. */
 void cni_direct_sum_impulses(cn_world *world, const struct cni_sparse *sparse);

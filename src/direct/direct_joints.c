@@ -387,8 +387,10 @@ void cni_direct_solve(cn_world *world, const cni_solve *s, int32_t bias)
 
 void cni_direct_store(cn_world *world, const cni_solve *s)
 {
-	if (s->direct != NULL)
-		cni_direct_contacts_restore_all(world, s->direct, s->h);
+	if (s->direct == NULL)
+		return;
+	cni_heavy_contacts_bounce(world, s);
+	cni_direct_contacts_restore_all(world, s->direct, s->h);
 }
 
 uint64_t cni_direct_bytes(int32_t solver, int32_t joints, int32_t contacts, int32_t bodies)

@@ -72,6 +72,8 @@ int32_t cni_heavy_contacts_list(const cn_world *world, const cni_solve *s, cni_s
 void cni_heavy_contacts_find(cn_world *world, const cni_solve *s, cni_sparse *sparse);
 /* Solves each of them once, after the joints. */
 void cni_heavy_contacts_solve(cn_world *world, const cni_solve *s, int32_t bias);
+/* After the substeps: those that were hit bounce. */
+void cni_heavy_contacts_bounce(cn_world *world, const cni_solve *s);
 
 /* ---- motors and limits in the system: direct/active_rows.c ---- */
 

@@ -11,7 +11,11 @@
  * the joints turn away from the response: a turn by d changes the square root of a row's inverse mass by at most d times that of the free
  * bodies. Where that may be a large part, the response is found again.
  *
- * The kernel's passes include these lanes. Their loads equal their impulses, so there they do not yield.
+ * The kernel's passes include these lanes. Their loads equal their impulses, so there they do not yield. Rolling resistance is the kernel's.
+ *
+ * The impacts of contacts/restitution.c are those of free bodies: the joints would stop the board that was hit, and with it the bounce. These
+ * contacts bounce once, after the substeps, to the speed of Newton's law, and against the response of the joints. Until then they are
+ * inelastic.
  *
  * Reads systems of joints, lanes; writes impulses and loads of lanes, velocities, impulses of joint constraints.
  */
@@ -154,6 +158,61 @@ static void responses_find(cn_world *world, const cni_solve *s, cni_sparse *spar
 
 /* ---- which contacts ---- */
 
+/* Newton's law with the speed at which the point meets, as in contacts/restitution.c; 0: it does not meet in this step as fast as bounces do. */
+static float bounce_speed(const cn_world *world, const cni_solve *s, const cni_direct_contact *p, int32_t point, const changes *d, float restitution)
+{
+	const cni_motion *a = cni_motions(world) + d->ia, *b = cni_motions(world) + d->ib;
+	const cni_external *ea = cni_externals(world) + d->ia, *eb = cni_externals(world) + d->ib;
+	float gap = cni_direct_contact_separation(p, point, a, b), speed = row_speed(p, point, a, b);
+	float closing = p->nx * (ea->ax - eb->ax) + p->ny * (ea->ay - eb->ay); /* acceleration */
+	if (p->mass[point] <= 0.0f || speed >= -s->restitution_threshold || -speed * p->mass[point] <= p->j[point] || gap + s->dt * speed >= world->settings.slop)
+		return 0.0f;
+	return restitution * cni_sqrt(cni_max(speed * speed + 2.0f * closing * gap, 0.0f));
+}
+
+static float *lane_restitution(const cn_world *world, int32_t contact)
+{
+	int32_t slot = cni_contact_at(world, contact)->slot;
+	return &cni_block_info_at(world, slot / CNI_LANES)->restitution[slot % CNI_LANES];
+}
+
+static cni_heavy_contact heavy_make(const cn_world *world, const cni_solve *s, int32_t component, int32_t contact)
+{
+	cni_heavy_contact h;
+	memset(&h, 0, sizeof h);
+	h.component = component;
+	h.contact = contact;
+	h.restitution = *lane_restitution(world, contact);
+	if (h.restitution > 0.0f) {
+		changes d = changes_begin(world, contact);
+		cni_direct_contact p;
+		cni_direct_contact_read(world, cni_contact_at(world, contact), &p);
+		h.bounce[0] = bounce_speed(world, s, &p, 0, &d, h.restitution);
+		h.bounce[1] = bounce_speed(world, s, &p, 1, &d, h.restitution);
+	}
+	return h;
+}
+
+static int32_t bounces(const cni_heavy_contact *h) { return h->bounce[0] + h->bounce[1] > 0.0f; }
+
+/* 1: the other body, which is not heavier, is in no component that could list the contact. */
+static int32_t is_free(const cn_world *world, const cni_body *other)
+{
+	return !(cni_externals(world)[other->awake].flags & CNI_EXTERNAL_JOINTED);
+}
+
+/* Do the joints bear an impact with it? */
+static int32_t is_borne(const cn_world *world, const cni_heavy_contact *h)
+{
+	cni_direct_contact p;
+	int32_t k;
+	cni_direct_contact_read(world, cni_contact_at(world, h->contact), &p);
+	for (k = 0; k < 2; ++k)
+		if (p.mass[k] > 0.0f && p.mass[k] * h->k[k][k] < CNI_HEAVY_BOUNCE_PART)
+			return 1;
+	return 0;
+}
+
 /* 1: it bears more than a few weights, or it bears nothing and its points may meet in this step. With a static body only extreme loads count,
    as those of a rope that carries 2,000 links over a peg, and impacts: the heavy end of a lever follows when its light arm hits the ground.
    Of a slow component all contacts count alike: it is to come to rest. */
@@ -195,16 +254,19 @@ static void body_contacts_list(const cn_world *world, const cni_solve *s, cni_sp
 	int32_t key, left = b->lanes;
 	for (key = b->contact_first; left > 0 && sparse->heavy_count < most; key = cni_contact_of_key(world, key)->next[key & 1]) {
 		const cni_contact *c = cni_contact_of_key(world, key);
-		const cni_motion *other = cni_motions(world) + cni_body_at(world, c->body[1 - (key & 1)])->awake;
+		const cni_body *other = cni_body_at(world, c->body[1 - (key & 1)]);
+		float inv_mass = cni_motions(world)[other->awake].inv_mass;
+		int32_t light = ratio * inv_mass >= cni_motions(world)[index].inv_mass;
+		cni_heavy_contact h;
 		if (!cni_contact_has_lane(c))
 			continue;
 		--left;
-		if (ratio * other->inv_mass >= cni_motions(world)[index].inv_mass)
+		if ((light && *lane_restitution(world, key >> 1) <= 0.0f) || cni_direct_lane_is_locked(world, c))
 			continue;
-		if (!cni_direct_lane_is_plain(world, c) || !is_pressed(world, s, c, key >> 1, other->inv_mass == 0.0f, slow))
-			continue;
-		sparse->heavies[sparse->heavy_count].component = component;
-		sparse->heavies[sparse->heavy_count++].contact = key >> 1;
+		h = heavy_make(world, s, component, key >> 1);
+		h.is_light = (uint8_t)light;
+		if (light ? bounces(&h) && is_free(world, other) : is_pressed(world, s, c, key >> 1, inv_mass == 0.0f, slow))
+			sparse->heavies[sparse->heavy_count++] = h;
 	}
 }
 
@@ -280,10 +342,18 @@ static int32_t end_of(const cni_sparse *sparse, int32_t begin)
 
 void cni_heavy_contacts_find(cn_world *world, const cni_solve *s, cni_sparse *sparse)
 {
-	int32_t begin, end;
-	for (begin = 0; begin < sparse->heavy_count; begin = end) {
+	int32_t begin, end, k, listed = sparse->heavy_count;
+	for (begin = 0; begin < listed; begin = end) {
 		end = end_of(sparse, begin);
 		responses_find(world, s, sparse, begin, end);
+	}
+	sparse->heavy_count = 0;
+	for (k = 0; k < listed; ++k) {
+		cni_heavy_contact *h = &sparse->heavies[k];
+		if (h->is_light && !is_borne(world, h))
+			continue;
+		*lane_restitution(world, h->contact) = 0.0f;
+		sparse->heavies[sparse->heavy_count++] = *h;
 	}
 }
 
@@ -322,7 +392,7 @@ static void rows_solve(const cni_solve *s, const cni_heavy_contact *h, cni_direc
 				target = cni_min(cni_max(h->impulse_most, p->j[row]),
 				                 normal_target(s, p, row, 1.0f / h->k[row][row], u[row], cni_direct_contact_separation(p, row, a, b), bias));
 			else
-				target = friction_target(p, 1.0f / h->k[2][2], u[2]);
+				target = friction_target(p, 1.0f / h->k[2][2], u[2] - p->tangent_speed);
 			for (k = 0; k < 3; ++k)
 				u[k] += h->k[k][row] * (target - p->j[row]);
 			p->j[row] = target;
@@ -355,7 +425,7 @@ static void impulses_apply(cn_world *world, const cni_solve *s, cni_component *c
 		cni_active_impulses_add(world, s->direct, c);
 }
 
-static void contact_solve(cn_world *world, const cni_solve *s, const cni_heavy_contact *h, int32_t bias)
+static void contact_solve(cn_world *world, const cni_solve *s, cni_heavy_contact *h, int32_t bias)
 {
 	cni_component *c = &s->direct->components[h->component];
 	changes d = changes_begin(world, h->contact);
@@ -369,6 +439,7 @@ static void contact_solve(cn_world *world, const cni_solve *s, const cni_heavy_c
 		impulses_apply(world, s, c, &p, &d);
 	else
 		memcpy(p.j, p.first, sizeof p.j);
+	h->is_hit |= (uint8_t)(p.j[0] + p.j[1] > 0.0f);
 	d.block->jt[d.l] = p.j[2];
 	for (k = 0; k < 2; ++k)
 		d.block->p[k].jn[d.l] = d.block->p[k].load[d.l] = p.j[k];
@@ -377,7 +448,7 @@ static void contact_solve(cn_world *world, const cni_solve *s, const cni_heavy_c
 /* Contacts begin to end - 1, which are those of one component. */
 static void component_solve(cn_world *world, const cni_solve *s, int32_t begin, int32_t end, int32_t bias)
 {
-	const cni_heavy_contact *heavies = s->direct->heavies;
+	cni_heavy_contact *heavies = s->direct->heavies;
 	const cni_component *c = &s->direct->components[heavies[begin].component];
 	float turn = turn_of(world, s->direct, c);
 	int32_t k, stale = 0;
@@ -395,5 +466,48 @@ void cni_heavy_contacts_solve(cn_world *world, const cni_solve *s, int32_t bias)
 	for (begin = 0; begin < s->direct->heavy_count; begin = end) {
 		end = end_of(s->direct, begin);
 		component_solve(world, s, begin, end, bias);
+	}
+}
+
+/* ---- bounces ---- */
+
+/* The impulse is no load: it does not stay in the lane. A point that does not bounce, and touches, stays where it is. */
+static void contact_bounce(cn_world *world, const cni_solve *s, const cni_heavy_contact *h)
+{
+	changes d = changes_begin(world, h->contact);
+	cni_direct_contact p;
+	float u[2], gap[2];
+	int32_t round, row;
+	cni_direct_contact_read(world, cni_contact_at(world, h->contact), &p);
+	memset(p.j, 0, sizeof p.j);
+	memset(p.first, 0, sizeof p.first);
+	for (row = 0; row < 2; ++row) {
+		u[row] = row_speed(&p, row, cni_motions(world) + d.ia, cni_motions(world) + d.ib);
+		gap[row] = cni_direct_contact_separation(&p, row, cni_motions(world) + d.ia, cni_motions(world) + d.ib);
+	}
+	for (round = 0; round < CNI_HEAVY_CONTACT_ROUNDS; ++round)
+		for (row = 0; row < 2; ++row) {
+			float change;
+			if (p.mass[row] <= 0.0f || gap[row] > world->settings.slop)
+				continue;
+			change = cni_max((h->bounce[row] - u[row]) / h->k[row][row], -p.j[row]);
+			u[0] += h->k[0][row] * change;
+			u[1] += h->k[1][row] * change;
+			p.j[row] += change;
+		}
+	if (changes_speed(world, h, &p))
+		impulses_apply(world, s, &s->direct->components[h->component], &p, &d);
+	if (CNI_HAS_EVENTS && world->sums_active)
+		cni_impulse_sums_strike(world, h->contact, p.j[0] + p.j[1], 0.0f, 0.0f, 0.0f);
+}
+
+void cni_heavy_contacts_bounce(cn_world *world, const cni_solve *s)
+{
+	int32_t k;
+	for (k = 0; k < s->direct->heavy_count; ++k) {
+		const cni_heavy_contact *h = &s->direct->heavies[k];
+		*lane_restitution(world, h->contact) = h->restitution;
+		if (h->is_hit && bounces(h) && !s->direct->components[h->component].done)
+			contact_bounce(world, s, h);
 	}
 }

@@ -105,6 +105,11 @@ typedef struct cni_heavy_contact {
 	float turn_most; /* rad: farthest turn of the component's bodies in this step until k is found again */
 	float k[3][3]; /* inverse effective mass of its rows with the component's joints */
 	float impulse_most; /* N s, of a normal row */
+	float bounce[2]; /* m/s: speed of each point after its impact; 0: it does not bounce in this step */
+	float restitution; /* of its lane, which has none during the substeps */
+	uint8_t is_light;  /* 1: listed because it bounces */
+	uint8_t is_hit;    /* 1: it bore an impulse in this step */
+	uint8_t reserved[2];
 } cni_heavy_contact;
 
 /* The topology of a tree of nodes of two rows: components are of one class when their topologies are equal. */

@@ -216,6 +216,9 @@ CNI_TUNING_FLOAT(CNI_HEAVY_TURN_PART, 0.3f)
 /* Times the speed of pushing: all bodies of such a contact and its joints would get it by the greatest impulse. A tower that a kinematic part presses
    into the ground had 4 million weights on one contact, and was thrown at 337 m/s when the part let go. */
 CNI_TUNING_FLOAT(CNI_HEAVY_SPEED_MOST, 10.0f)
+/* A contact with a lighter body that bounces is solved so, too, where the joints leave less than this of its inverse mass: the impact of free
+   bodies would be lost on a board that its joints stop. A wrecking ball on its chain bounces as a free one. */
+CNI_TUNING_FLOAT(CNI_HEAVY_BOUNCE_PART, 0.7f)
 /* Rounds between the rows of such a contact. */
 CNI_TUNING_COUNT(CNI_HEAVY_CONTACT_ROUNDS, 4)
 /* Blocks of the system of a component, times its contacts that are solved so. A net of 140 joints took 20 times as long as a soft one

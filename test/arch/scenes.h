@@ -24,8 +24,8 @@ static const arch_scene arch_scenes[ARCH_SCENES] = {
 	{ "tiers", scene_tiers, 0x6d8c16729bfbb91f },
 	{ "sequential", scene_sequential, 0x6bc77927e99d3264 },
 	{ "queries", scene_queries, 0x8eabe7465e38d7f6 },
-	{ "events", scene_events, 0x6da80ced72fbe7a0 },
-	{ "file", scene_file, 0xf208066a0bb1a48d },
+	{ "events", scene_events, 0x4072afc9f904ebc7 },
+	{ "file", scene_file, 0x4f7994a1f3ca91d1 },
 };
 
 /* The number of a scene; 0 if a call failed: arch_failed_line. */

@@ -163,8 +163,9 @@ static void herds_have_the_bits_of_one(void)
 		creature c;
 		cn_world *lone = empty_world();
 		add_creature(lone, &c, k);
-		fixture_step(lone, 180);
+		fixture_step(lone, 1); /* later some lie down, and their contacts take them out of the batch */
 		alone_in_herds += works_in_herds(lone);
+		fixture_step(lone, 179);
 		different += differs(world, &batch[k], lone, &c);
 		cn_world_destroy(lone);
 	}
@@ -199,8 +200,9 @@ static void pairs_have_the_bits_of_one(void)
 		creature c;
 		cn_world *lone = empty_world();
 		add_pair(lone, &c, k);
-		fixture_step(lone, 180);
+		fixture_step(lone, 1); /* later some lie down, and their contacts take them out of the batch */
 		alone_in_herds += works_in_herds(lone);
+		fixture_step(lone, 179);
 		different += bodies_differ(world, &batch[k], lone, &c, 2);
 		cn_world_destroy(lone);
 	}

@@ -81,6 +81,14 @@ static cn_shape_def surface(const scene *s, int32_t body)
 	def.density_kgpm2 = (float)s->density;
 	def.material.static_friction = def.material.dynamic_friction = (float)s->friction;
 	def.material.restitution = (float)s->restitution;
+	switch (s->surface) {
+	case SURFACE_BOUNCES: def.material.restitution = 0.5f; break;
+	case SURFACE_ROLLS: def.material.rolling_resistance = 0.05f; break;
+	case SURFACE_BELTS: def.material.tangent_speed_mps = s->bodies[body].dynamic ? 0.0f : 1.0f; break;
+	case SURFACE_SLIPS: def.material.static_friction = def.material.dynamic_friction = 0.0f; break;
+	case SURFACE_STICKS: def.material.static_friction *= 2.0f; break;
+	default: break;
+	}
 	def.filter.group = s->group;
 	def.event_mask = 0;
 	return def;

@@ -2,7 +2,7 @@
  * test/families/families.c - runs every family for many seeds, judges the default solver against another, and reports.
  *
  * Usage: families [--family name] [--seeds n] [--first n] [--solvers auto,soft] [--substeps n] [--noise 1] [--meddle kind] [--drift mps]
- *                 [--pace kind] [--monotone 1]
+ *                 [--pace kind] [--surface kind] [--monotone 1]
  *                 [--confirm n] [--csv file] [--record file] [--peer name=file] [--list]
  * The README says what is judged and how.
  */
@@ -15,12 +15,13 @@
 
 static void print_seed(const settings *set, const family *which, const seed_result *r, const scene_measures *peer)
 {
-	run_settings direct = { CN_SOLVER_DIRECT, 0, 0, 0.0, 0, 0 };
+	run_settings direct = { CN_SOLVER_DIRECT, 0, 0, 0.0, 0, 0, 0 };
 	scene_measures m;
 	int32_t side;
 	direct.meddle = set->meddle;
 	direct.drift_mps = set->drift_mps;
 	direct.pace = set->pace;
+	direct.surface = set->surface;
 	m = run_scene(which, r->seed, &direct);
 	printf("%s, seed %d: %d bodies, %d joints; at the start joint %.3f, overlap %.3f mm\n", which->name, (int)r->seed, (int)m.bodies, (int)m.joints, 1e3 * m.joint_start,
 		1e3 * m.overlap_start);
@@ -102,6 +103,7 @@ static uint32_t monotone_seed(const settings *set, const family *which, int32_t 
 		run.meddle = 0;
 		run.drift_mps = set->drift_mps;
 		run.pace = set->pace;
+		run.surface = set->surface;
 		got = run_scene(which, seed, &run);
 		all[k] = to_judged(&got);
 	}
@@ -252,6 +254,8 @@ static int take_option(settings *set, const char *option, const char *value)
 		set->drift_mps = atof(value);
 	else if (strcmp(option, "--pace") == 0)
 		set->pace = (int32_t)atoi(value);
+	else if (strcmp(option, "--surface") == 0)
+		set->surface = (int32_t)atoi(value);
 	else if (strcmp(option, "--csv") == 0)
 		set->csv = open_csv(value);
 	else if (strcmp(option, "--record") == 0)

@@ -57,6 +57,7 @@ typedef struct scene {
 	uint32_t random;
 	/* Of shapes made next. */
 	double density, friction, restitution;
+	int32_t surface; /* SURFACE_ */
 	int32_t group;
 	/* Of joints made next. */
 	uint32_t joint_flags;
@@ -154,12 +155,14 @@ typedef struct scene_measures {
 #define MOVED_MAX_M 0.5 /* beyond, it fell: by how much is chance */
 
 enum { PACE_OF_SEED, PACE_HITCHES, PACE_SLOW_MOTION, PACE_ALTERNATING, PACE_ANY };
+enum { SURFACE_OF_FAMILY, SURFACE_BOUNCES, SURFACE_ROLLS, SURFACE_BELTS, SURFACE_SLIPS, SURFACE_STICKS, SURFACE_COUNT };
 
 typedef struct run_settings {
 	int32_t solver, substeps; /* 0 substeps: the default */
 	int32_t noise;            /* 0: none; else which perturbation of 1e-5 m of all dynamic bodies */
 	double drift_mps;         /* all of it moves along x, static bodies as kinematic ones; measured in its own frame */
 	int32_t pace;             /* PACE_: lengths of frames, 0: the seed's */
+	int32_t surface;          /* SURFACE_: what all shapes are made of, 0: the family's */
 	int32_t meddle;           /* 0: nothing is done to the scene while it runs; -1: a kind that the seed draws; else that one */
 } run_settings;
 

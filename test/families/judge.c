@@ -79,6 +79,7 @@ static double reference_speed(const settings *set, const family *which, int32_t 
 	run.meddle = set->meddle;
 	run.drift_mps = set->drift_mps;
 	run.pace = set->pace;
+	run.surface = set->surface;
 	SIDE_USE(1);
 	return run_scene(which, seed, &run).speed_max;
 }
@@ -91,6 +92,7 @@ scene_measures run_side(const settings *set, const family *which, int32_t seed, 
 	run.meddle = set->meddle;
 	run.drift_mps = set->drift_mps;
 	run.pace = set->pace;
+	run.surface = set->surface;
 	run.noise = repeat + (set->noise && side == 0 ? NOISE_OTHER : 0);
 	SIDE_USE(side);
 	return run_scene(which, seed, &run);

@@ -37,7 +37,7 @@ typedef struct settings {
 	int noise, monotone;
 	int32_t meddle;  /* run_settings.meddle */
 	double drift_mps; /* likewise */
-	int32_t pace;
+	int32_t pace, surface;
 	int32_t solvers[2];
 	const char *names[2];
 	FILE *csv, *record;

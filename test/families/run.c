@@ -82,6 +82,7 @@ static void begin_scene(scene *s, const family *which, int32_t seed, const run_s
 	if (cn_world_create(&def, &s->world) != CN_OK)
 		snprintf(s->refusal, sizeof s->refusal, "no world");
 	pick_time(s);
+	s->surface = settings->surface < 0 ? 1 + (int32_t)((uint32_t)seed % (SURFACE_COUNT - 1)) : settings->surface;
 	s->drift_mps = settings->drift_mps;
 	if (s->drift_mps != 0.0)
 		begin_frame(s);
