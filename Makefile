@@ -6,7 +6,7 @@
 #   make test-all   tests under sanitizers and other   make check-deps layers, circles, longest files
 #                   compilers and options              make check-links links and make targets in the documentation
 #   make test-times times of parts, printed             make readme     runs the commands of every README
-#                                                      make install    DESTDIR and PREFIX; make clean
+#   make install    DESTDIR, PREFIX and LIBDIR; make uninstall; make clean
 #   make bindings   writes bindings/ from the header   make test-bindings  in every language that is installed
 #   make amalgamation  the library as two files, build/amalgamation/cairn.c and cairn.h
 #   make stability  scenes with bounds, and 10 seeds of each family: test/stability/README.md
@@ -35,6 +35,7 @@
 
 BUILD ?= build
 PREFIX ?= /usr/local
+LIBDIR ?= $(PREFIX)/lib
 WERROR ?= -Werror
 ifeq ($(origin CC),default)
 CC := gcc
@@ -64,7 +65,7 @@ SOVERSION := $(firstword $(subst ., ,$(VERSION)))
 ifeq ($(shell uname -s),Darwin)
 SHARED := libcairn.$(SOVERSION).dylib
 SHARED_LINK := libcairn.dylib
-SHARED_FLAGS := -dynamiclib -install_name $(PREFIX)/lib/$(SHARED)
+SHARED_FLAGS := -dynamiclib -install_name $(LIBDIR)/$(SHARED)
 STRIP_UNUSED := -Wl,-dead_strip
 else ifneq (,$(findstring mingw,$(CC))$(filter Windows_NT,$(OS)))
 # The DLL, its import library, and nothing exported but what cairn.h declares.
@@ -104,7 +105,7 @@ TIMES_SRC := $(sort $(wildcard test/*/*_time_test.c))
 TESTS := $(patsubst %.c,$(BUILD)/%,$(filter-out $(TIMES_SRC),$(TEST_SRC))) bindings/test/current.sh test/examples/small.sh
 SMALL_CHECKED := $(SMALL_SRC:examples/%.c=$(BUILD)/checked/bin/%)
 
-.PHONY: all bindings amalgamation demo test test-all test-times mutation stability test-bindings bench bench-peers bench-diff bench-scale feature-cost hello platformer rollback replay fuzz embedded sizes check-deps check-links install clean soak FORCE
+.PHONY: all bindings amalgamation demo test test-all test-times mutation stability test-bindings bench bench-peers bench-diff bench-scale feature-cost hello platformer rollback replay fuzz embedded sizes check-deps check-links install uninstall clean soak FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -419,14 +420,19 @@ check-links:
 
 # ---------------------------------------------------------------- install, clean
 
+HEADERS := include/cairn.h bindings/cpp/cairn.hpp
+
 install: all
-	mkdir -p '$(DESTDIR)$(PREFIX)/include' '$(DESTDIR)$(PREFIX)/lib/pkgconfig'
-	cp $(wildcard include/*.h include/*.hpp) '$(DESTDIR)$(PREFIX)/include/'
-	cp $(BUILD)/libcairn.a $(BUILD)/$(SHARED) '$(DESTDIR)$(PREFIX)/lib/'
-	$(if $(WINDOWS),cp $(BUILD)/$(SHARED_LINK) '$(DESTDIR)$(PREFIX)/lib/',ln -sf $(SHARED) '$(DESTDIR)$(PREFIX)/lib/$(SHARED_LINK)')
-	printf '%s\n' 'prefix=$(PREFIX)' 'Name: cairn' 'Description: 2D rigid-body physics' 'Version: $(VERSION)' \
-		'Cflags: -I$${prefix}/include' 'Libs: -L$${prefix}/lib -lcairn' 'Libs.private: $(LIBS)' \
-		> '$(DESTDIR)$(PREFIX)/lib/pkgconfig/cairn.pc'
+	mkdir -p '$(DESTDIR)$(PREFIX)/include' '$(DESTDIR)$(LIBDIR)/pkgconfig'
+	cp $(HEADERS) '$(DESTDIR)$(PREFIX)/include/'
+	cp $(BUILD)/libcairn.a $(BUILD)/$(SHARED) '$(DESTDIR)$(LIBDIR)/'
+	$(if $(WINDOWS),cp $(BUILD)/$(SHARED_LINK) '$(DESTDIR)$(LIBDIR)/',ln -sf $(SHARED) '$(DESTDIR)$(LIBDIR)/$(SHARED_LINK)')
+	printf '%s\n' 'prefix=$(PREFIX)' 'libdir=$(LIBDIR:$(PREFIX)/%=$${prefix}/%)' 'Name: cairn' 'Description: 2D rigid-body physics' 'Version: $(VERSION)' \
+		'Cflags: -I$${prefix}/include' 'Libs: -L$${libdir} -lcairn' 'Libs.private: $(LIBS)' \
+		> '$(DESTDIR)$(LIBDIR)/pkgconfig/cairn.pc'
+
+uninstall:
+	rm -f $(patsubst %,'$(DESTDIR)$(PREFIX)/include/%',$(notdir $(HEADERS))) $(patsubst %,'$(DESTDIR)$(LIBDIR)/%',libcairn.a $(SHARED) $(SHARED_LINK) pkgconfig/cairn.pc)
 
 clean:
 	rm -rf $(BUILD)

@@ -1,8 +1,9 @@
 #!/bin/sh
 # usage: cmake.sh build-folder static|shared, from the top folder of the tree (tree.sh)
-# Builds hello.c and hinges.c against the CMake package, in build-folder/program-KIND, and runs hello. static: first with the
-# library's sources as a subdirectory, then against what that build installed. shared: against the library that
-# bindings/cmake/README.md's commands build and install, without threads and vectors, which must give the same bits. -O0 and no vectors save time.
+# Builds hello.c, hinges.c and the program of C++'s page against the CMake package, in build-folder/program-KIND, and runs hello and the
+# page's; then both with pkg-config's flags. static: first with the library's sources as a subdirectory, then against what that build
+# installed. shared: against the library that bindings/cmake/README.md's commands build and install, without threads and vectors, which
+# must give the same bits. -O0 and no vectors save time.
 set -eu
 mkdir -p "$1"
 out=$(cd "$1" && pwd) kind=$2
@@ -27,3 +28,5 @@ cmake -S bindings/test/cmake -B "$program" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE
 grep "^cairn_DIR:PATH=$prefix/" "$program/CMakeCache.txt"
 cmake --build "$program" --parallel "$cores"
 "$program/hello"
+"$program/page"
+sh bindings/test/pkg_config.sh "$prefix" "$program"

@@ -227,13 +227,19 @@ else
 	skip 6 zig
 fi
 
-if command -v cmake >/dev/null 2>&1; then
+if command -v pkg-config >/dev/null 2>&1 && command -v g++ >/dev/null 2>&1; then
+	check "make install and uninstall" env CC=$quick_compiler CXX=g++ sh -c "$tree/install.sh '$absolute/bindings/install'"
+else
+	skip 1 'pkg-config or g++'
+fi
+
+if command -v cmake >/dev/null 2>&1 && command -v pkg-config >/dev/null 2>&1 && command -v g++ >/dev/null 2>&1; then
 	for kind in static shared; do
-		check "cmake builds and finds a $kind library" env CC=$quick_compiler sh -c "$tree/cmake.sh '$absolute/bindings/cmake' $kind"
+		check "cmake builds and finds a $kind library" env CC=$quick_compiler CXX=g++ sh -c "$tree/cmake.sh '$absolute/bindings/cmake' $kind"
 		same "cmake $kind hinges" "$hinges" env LD_LIBRARY_PATH= DYLD_LIBRARY_PATH= "$out/cmake/program-$kind/hinges"
 	done
 else
-	skip 4 cmake
+	skip 4 'cmake, pkg-config or g++'
 fi
 
 if command -v meson >/dev/null 2>&1 && command -v ninja >/dev/null 2>&1 && command -v git >/dev/null 2>&1; then
