@@ -79,7 +79,6 @@ typedef struct bench_world {
 	const cni_broadphase_ops *ops;
 	cni_broadphase *broadphase;
 	cni_memory memory;
-	cni_blocks blocks;
 	cni_arena arena;
 	cni_table proxies;
 	cni_broadphase_pairs pairs;
@@ -181,14 +180,22 @@ static int32_t allow(const void *context, int32_t a, int32_t b)
 	return a != b;
 }
 
-static void world_close(bench_world *w)
+/* Returns the bytes that the broadphase had. */
+static uint64_t broadphase_close(bench_world *w)
 {
+	uint64_t before = w->memory.bytes_in_use;
 	if (w->broadphase != NULL)
 		w->ops->destroy(w->broadphase);
+	w->broadphase = NULL;
+	return before - w->memory.bytes_in_use;
+}
+
+static void world_close(bench_world *w)
+{
+	broadphase_close(w);
 	cni_array_deinit(&w->pairs.list, &w->memory);
 	cni_table_deinit(&w->proxies, &w->memory);
 	cni_arena_deinit(&w->arena);
-	cni_blocks_deinit(&w->blocks);
 	measure_times_close(&w->times);
 	free(w->boxes);
 	free(w->left);
@@ -202,7 +209,6 @@ static void world_init(bench_world *w, const world_kind *kind, const cni_broadph
 	w->ops = ops;
 	w->random = 12345u;
 	cni_memory_init_hooks(&w->memory, NULL, NULL, NULL);
-	cni_blocks_init(&w->blocks, &w->memory);
 	cni_arena_init(&w->arena, &w->memory);
 	cni_table_init(&w->proxies, (int32_t)sizeof(cni_proxy), 6);
 	cni_array_init(&w->pairs.list, (int32_t)sizeof(cni_pair));
@@ -216,10 +222,8 @@ static int32_t world_open(bench_world *w, const world_kind *kind, const cni_broa
 	w->left = (int32_t *)malloc((size_t)kind->boxes * sizeof *w->left);
 	memset(&context, 0, sizeof context);
 	context.memory = &w->memory;
-	context.blocks = &w->blocks;
 	context.arena = &w->arena;
 	context.proxies = &w->proxies;
-	context.length_unit = 1.0f;
 	if (w->boxes == NULL || w->left == NULL || !measure_times_open(&w->times, kind->steps) ||
 		!cni_table_reserve(&w->proxies, &w->memory, kind->boxes))
 		return 0;
@@ -319,7 +323,7 @@ static int32_t run_world(const world_kind *kind)
 		failed += s > 0 && pairs[s] != pairs[0];
 		printf("%s,%d,%s,%.1f,%.1f,%.1f,%.1f,%s\n", kind->name, kind->boxes, structures[s].name, 1e3 * measure_times_at(&w.times, 0.5),
 			1e3 * measure_times_at(&w.times, 1.0), (double)pairs[s] / kind->steps,
-			(double)w.ops->bytes(w.broadphase) / kind->boxes, pairs[s] == pairs[0] ? "same" : "DIFFERENT");
+			(double)broadphase_close(&w) / kind->boxes, pairs[s] == pairs[0] ? "same" : "DIFFERENT");
 		fflush(stdout);
 		world_close(&w);
 	}

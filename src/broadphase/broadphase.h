@@ -63,11 +63,9 @@ void cni_pairs_cull(cni_broadphase_pairs *pairs);
 
 typedef struct cni_broadphase_context {
 	cni_memory *memory;    /* for data that lives across steps */
-	cni_blocks *blocks;    /* for small pieces that live across steps */
 	cni_arena *arena;      /* scratch within update */
 	cni_table *proxies;    /* cni_proxy by id */
 	cni_team *const *team; /* points to the team that may share update and settle; NULL: the caller works alone */
-	float length_unit;
 } cni_broadphase_context;
 
 typedef struct cni_broadphase cni_broadphase; /* each implementation's own state */
@@ -95,7 +93,6 @@ typedef struct cni_broadphase_ops {
 	void (*query)(const cni_broadphase *broadphase, const cni_aabb *box, cni_query_fn *visit, void *context);
 	/* Every proxy whose fat box the segment from origin by translation * fraction crosses, roughly nearest first. */
 	void (*ray)(const cni_broadphase *broadphase, cni_vec2 origin, cni_vec2 translation, cni_query_fn *visit, void *context);
-	uint64_t (*bytes)(const cni_broadphase *broadphase);
 	/* Non-empty tiles or nodes, for counters. */
 	int32_t (*cells)(const cni_broadphase *broadphase);
 	/* Upper bound of the bytes that capacity proxies take, for fixed-memory worlds. */

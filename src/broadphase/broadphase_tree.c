@@ -185,11 +185,6 @@ static void tree_ray(const cni_broadphase *broadphase, cni_vec2 origin, cni_vec2
 
 /* ---- figures and checks ---- */
 
-static uint64_t tree_bytes(const cni_broadphase *broadphase)
-{
-	return sizeof(tree_broadphase) + cni_tree_bytes(&const_tree_of(broadphase)->tree);
-}
-
 static int32_t tree_cells(const cni_broadphase *broadphase)
 {
 	int32_t count = const_tree_of(broadphase)->tree.count;
@@ -246,6 +241,6 @@ static void tree_snapshot(cni_broadphase *broadphase, cni_snapshot *s)
 }
 
 const cni_broadphase_ops cni_broadphase_tree = {
-	tree_create, tree_destroy, tree_reserve, tree_add, tree_remove, tree_move, tree_touch, tree_update,
-	tree_settle, tree_query, tree_ray, tree_bytes, tree_cells, tree_bytes_needed, tree_snapshot,
+	tree_create, tree_destroy, tree_reserve, tree_add,   tree_remove,       tree_move, tree_touch, tree_update,
+	tree_settle, tree_query,   tree_ray,     tree_cells, tree_bytes_needed, tree_snapshot,
 };

@@ -182,15 +182,6 @@ static void sweep_settle(cni_broadphase *broadphase)
 
 /* ---- figures ---- */
 
-static uint64_t array_bytes(const cni_array *array) { return (uint64_t)array->capacity * (uint64_t)array->item_bytes; }
-
-static uint64_t sweep_bytes(const cni_broadphase *broadphase)
-{
-	const cni_sweep *sweep = cni_sweep_of(broadphase);
-	return sizeof(*sweep) + array_bytes(&sweep->tiles) + array_bytes(&sweep->moved) + array_bytes(&sweep->loose) +
-	       (uint64_t)sweep->slot_capacity * sizeof(int32_t) + sweep->rows_bytes;
-}
-
 static int32_t sweep_cells(const cni_broadphase *broadphase) { return cni_sweep_of(broadphase)->tile_count; }
 
 /* Worst case: each proxy is alone in its tile. It takes a tile, up to four table slots, the smallest piece of rows and two
@@ -302,7 +293,7 @@ static void sweep_snapshot(cni_broadphase *broadphase, cni_snapshot *s)
 	bits_pass(s, &sweep->loose, words);
 	cni_snapshot_array(s, &sweep->tiles);
 	cni_snapshot_blocks(s, &sweep->rows);
-	cni_snapshot_members(s, sweep, offsetof(cni_sweep, rows_bytes), sizeof *sweep);
+	cni_snapshot_members(s, sweep, offsetof(cni_sweep, tile_free), sizeof *sweep);
 	if (s->mode == CNI_SNAPSHOT_LOAD) {
 		sweep->tile_count = tiles;
 		cni_sweep_slots_fill(sweep);
@@ -310,6 +301,6 @@ static void sweep_snapshot(cni_broadphase *broadphase, cni_snapshot *s)
 }
 
 const cni_broadphase_ops cni_broadphase_sweep = {
-	sweep_create, sweep_destroy,   sweep_reserve, sweep_add,   sweep_remove, sweep_move,     sweep_touch,        sweep_update,
-	sweep_settle, cni_sweep_query, cni_sweep_ray, sweep_bytes, sweep_cells,  sweep_bytes_needed, sweep_snapshot,
+	sweep_create, sweep_destroy,   sweep_reserve, sweep_add,   sweep_remove,       sweep_move, sweep_touch, sweep_update,
+	sweep_settle, cni_sweep_query, cni_sweep_ray, sweep_cells, sweep_bytes_needed, sweep_snapshot,
 };

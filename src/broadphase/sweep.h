@@ -85,8 +85,7 @@ typedef struct cni_sweep {
 	cni_array loose;       /* uint64_t, one bit per id */
 	cni_blocks rows;       /* pool of the rows of all tiles, emptied when sizes change */
 
-	uint64_t rows_bytes;   /* ... in use; the members from here on are saved as one */
-	int32_t tile_free;     /* first free slot or CNI_NONE */
+	int32_t tile_free;     /* first free slot or CNI_NONE; the members from here on are saved as one */
 	int32_t id_end;        /* all ids in use are below */
 	int32_t count;         /* proxies */
 	int32_t moved_count;

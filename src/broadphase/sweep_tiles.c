@@ -193,10 +193,8 @@ static uint64_t rows_bytes(int32_t capacity) { return (uint64_t)capacity * (4 * 
 
 static void rows_free(cni_sweep *sweep, cni_ref rows, int32_t capacity)
 {
-	if (capacity == 0)
-		return;
-	cni_blocks_free(&sweep->rows, rows, rows_bytes(capacity));
-	sweep->rows_bytes -= cni_blocks_rounded(rows_bytes(capacity));
+	if (capacity > 0)
+		cni_blocks_free(&sweep->rows, rows, rows_bytes(capacity));
 }
 
 void cni_sweep_tile_destroy(cni_sweep *sweep, int32_t tile)
@@ -243,7 +241,6 @@ static int32_t tile_resize(cni_sweep *sweep, cni_sweep_tile *tile, int32_t capac
 	cni_ref rows = cni_blocks_alloc(&sweep->rows, rows_bytes(capacity));
 	if (rows == 0)
 		return 0;
-	sweep->rows_bytes += cni_blocks_rounded(rows_bytes(capacity));
 	tile->rows = rows;
 	tile->capacity = capacity;
 	if (old.capacity > 0) {
@@ -407,8 +404,8 @@ void cni_sweep_entry_shift(cni_sweep *sweep, cni_sweep_tile *tile, int32_t id, c
 
 /* ---- iteration over tiles near a box ---- */
 
-/* Sets up the next level in use after cursor->level; 0 when there is none. */
-static int32_t cursor_level(const cni_sweep *sweep, cni_sweep_cursor *cursor)
+/* Sets up the next level in use after cursor->level; CNI_SWEEP_LEVELS: there is none. */
+static void cursor_level(const cni_sweep *sweep, cni_sweep_cursor *cursor)
 {
 	while (++cursor->level < CNI_SWEEP_LEVELS) {
 		cni_sweep_cells *cells = &cursor->cells;
@@ -420,16 +417,15 @@ static int32_t cursor_level(const cni_sweep *sweep, cni_sweep_cursor *cursor)
 		cursor->slot = CNI_NONE;
 		if (((int64_t)cells->tx1 - cells->tx0 + 1) * ((int64_t)cells->ty1 - cells->ty0 + 1) > sweep->tiles.count)
 			cursor->slot = 0;
-		return 1;
+		return;
 	}
-	return 0;
 }
 
 void cni_sweep_cursor_start(const cni_sweep *sweep, cni_sweep_cursor *cursor, const cni_aabb *box)
 {
 	cursor->box = *box;
 	cursor->level = -1;
-	(void)cursor_level(sweep, cursor);
+	cursor_level(sweep, cursor);
 }
 
 /* The next candidate of the level, CNI_NONE for an empty cell; *done when the level has no more. */
@@ -459,7 +455,7 @@ int32_t cni_sweep_cursor_next(const cni_sweep *sweep, cni_sweep_cursor *cursor)
 		int32_t done;
 		int32_t tile = cursor_step(sweep, cursor, &done);
 		if (done)
-			(void)cursor_level(sweep, cursor);
+			cursor_level(sweep, cursor);
 		else if (tile != CNI_NONE && cni_aabb_overlap(&cni_sweep_tile_at(sweep, tile)->bounds, &cursor->box))
 			return tile;
 	}

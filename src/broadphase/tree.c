@@ -41,11 +41,6 @@ void cni_tree_deinit(cni_tree *tree, cni_memory *memory)
 	cni_tree_init(tree);
 }
 
-uint64_t cni_tree_bytes(const cni_tree *tree)
-{
-	return (uint64_t)tree->nodes.capacity * sizeof(cni_tree_node) + (uint64_t)tree->places.capacity * sizeof(int32_t);
-}
-
 /* An invalid box, such as NaN from a body that diverged, overlaps nothing and must not spoil the boxes above it. */
 static cni_aabb box_or_none(const cni_aabb *box)
 {

@@ -77,7 +77,6 @@ void cni_tree_init(cni_tree *tree);
 void cni_tree_deinit(cni_tree *tree, cni_memory *memory);
 /* Guarantees that any item below `items` can be inserted; 0 when there is no memory. exact: reserves no spare capacity. */
 int32_t cni_tree_reserve(cni_tree *tree, cni_memory *memory, int32_t items, int32_t exact);
-uint64_t cni_tree_bytes(const cni_tree *tree);
 
 /* ---- changes: O(log n), cannot fail. An invalid box (NaN, swapped corners) overlaps nothing. */
 

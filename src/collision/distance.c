@@ -139,15 +139,13 @@ static int32_t simplex_has(const simplex *s, int32_t ia, int32_t ib)
 	return 0;
 }
 
-/* Finds the simplex nearest to the origin; returns the iterations. Three vertices or distance 0: the sets overlap. */
-static int32_t simplex_search(const query *q, simplex *s)
+/* Finds the simplex nearest to the origin. Three vertices or distance 0: the sets overlap. */
+static void simplex_search(const query *q, simplex *s)
 {
 	s->v[0] = vertex_make(q, 0, 0);
 	s->count = 1;
 	float nearest = simplex_distance(s);
-	int32_t iteration = 0;
-	while (iteration < ITERATIONS_MAX && nearest > 0.0f) {
-		++iteration;
+	for (int32_t iteration = 0; iteration < ITERATIONS_MAX && nearest > 0.0f; ++iteration) {
 		cni_vec2 offset = simplex_offset(s);
 		int32_t ia = support(q->points_a, q->count_a, offset);
 		int32_t ib = support(q->points_b, q->count_b, cni_unrotate(q->b_in_a.q, cni_neg(offset)));
@@ -169,7 +167,6 @@ static int32_t simplex_search(const query *q, simplex *s)
 		*s = next;
 		nearest = distance;
 	}
-	return iteration;
 }
 
 cni_closest cni_closest_find(const cni_vec2 *points_a, int32_t count_a, const cni_vec2 *points_b, int32_t count_b, cni_transform b_in_a)
@@ -177,7 +174,7 @@ cni_closest cni_closest_find(const cni_vec2 *points_a, int32_t count_a, const cn
 	query q = { points_a, points_b, count_a, count_b, b_in_a };
 	simplex s;
 	cni_closest out;
-	out.iterations = simplex_search(&q, &s);
+	simplex_search(&q, &s);
 	out.point_a = cni_v(0.0f, 0.0f);
 	out.point_b = cni_v(0.0f, 0.0f);
 	for (int32_t i = 0; i < s.count; ++i) {

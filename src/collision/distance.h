@@ -15,7 +15,6 @@ typedef struct cni_closest {
 	float distance;      /* 0 when they overlap */
 	int32_t index_a[2];  /* point numbers: two of an edge, or the same twice for a vertex */
 	int32_t index_b[2];
-	int32_t iterations;
 } cni_closest;
 /* b_in_a maps b's frame into a's. */
 cni_closest cni_closest_find(const cni_vec2 *points_a, int32_t count_a, const cni_vec2 *points_b, int32_t count_b, cni_transform b_in_a);

@@ -41,8 +41,7 @@ typedef struct cni_manifold {
 /* Kept by the caller from step to step, initially zero; saves work and adds hysteresis. */
 typedef struct cni_manifold_cache {
 	uint8_t axis;       /* 0: none; 1..16: edge of a; 17..32: edge of b, the last reference/separating axis */
-	uint8_t flags;
-	uint8_t reserved[2];
+	uint8_t reserved[3];
 } cni_manifold_cache;
 
 typedef struct cni_manifold_input {

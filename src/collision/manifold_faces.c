@@ -253,7 +253,6 @@ static cni_closest closest_features(const cni_faces *a, const cni_faces *b, cons
 		guess.point_b = s.point_b;
 		guess.distance = cni_sqrt(s.distance_sq);
 		guess.normal = cni_normalize(cni_sub(s.point_b, s.point_a));
-		guess.iterations = 0;
 		ends_set(guess.index_a, s.fraction_a, va[0], va[1]);
 		ends_set(guess.index_b, s.fraction_b, vb[0], vb[1]);
 		if (guess.distance > CNI_TOUCH_PER_SLOP * slop && closest_holds(a, b, &guess, 0.01f * slop))

@@ -201,7 +201,6 @@ void cni_joint_lane_fill(cn_world *world, const cni_solve *s, cni_lane_spring *s
 	const cni_joint *j = w->record;
 	w->lane = (int32_t)(block - cni_joint_blocks(world)) * CNI_LANES + l;
 	w->row_count = 0; /* rows that may have been built for the direct solver are not used */
-	block->constraint[l] = k;
 	block->ia[l] = w->ia;
 	block->ib[l] = w->ib;
 	block->ai[l] = cni_motions(world)[w->ia].inv_inertia;

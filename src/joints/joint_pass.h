@@ -39,7 +39,6 @@ typedef struct cni_joint_block {
 	float rest[CNI_LANES], spring_mass[CNI_LANES], spring_bias[CNI_LANES], spring_impulse_scale[CNI_LANES], spring_j[CNI_LANES];
 	float speed[CNI_LANES], most[CNI_LANES], motor_j[CNI_LANES];
 	float lower[CNI_LANES], upper[CNI_LANES], limit_j[CNI_LANES];
-	int32_t constraint[CNI_LANES];         /* index of the joint constraint */
 	int32_t form, lanes, color;            /* color: CNI_NONE of a batch */
 	uint32_t direct, held;                 /* lanes, as bits */
 	uint32_t parts;                        /* CN_JOINT_SPRING, _MOTOR, _LIMIT: some lane has one */

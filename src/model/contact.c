@@ -207,7 +207,7 @@ static void record_give(cn_world *world, int32_t contact)
 	world->contact_free = contact;
 }
 
-int32_t cni_contact_create(cn_world *world, int32_t proxy_a, int32_t proxy_b)
+void cni_contact_create(cn_world *world, int32_t proxy_a, int32_t proxy_b)
 {
 	const cni_shape *a = cni_shape_at(world, cni_proxy_at(world, proxy_a)->shape);
 	const cni_shape *b = cni_shape_at(world, cni_proxy_at(world, proxy_b)->shape);
@@ -234,7 +234,6 @@ int32_t cni_contact_create(cn_world *world, int32_t proxy_a, int32_t proxy_b)
 		cni_contact_enter_apart_list(world, contact);
 	}
 	log_or_defer(world, contact, c, CN_EVENT_CREATED, CNI_CONTACT_CREATED_OWED);
-	return contact;
 }
 
 cn_result cni_contact_reserve_end(cn_world *world, int32_t contacts)
@@ -410,7 +409,7 @@ int32_t cni_contact_end(cn_world *world, int32_t contact)
 	else
 		cni_lane_free(world, contact);
 	if (c->flags & CNI_CONTACT_LINKED)
-		cni_island_unlink(world, c->body[0], c->body[1]);
+		cni_island_unlink(world, c->body[0]);
 	c->flags &= ~(uint32_t)(CNI_CONTACT_TOUCHING | CNI_CONTACT_LINKED | CNI_CONTACT_ENTER_OWED | CNI_CONTACT_ENTERED);
 	--world->touching_count;
 	if (contact_is_awake(world, c))

@@ -233,7 +233,7 @@ int32_t cni_contact_find(const cn_world *world, int32_t proxy_a, int32_t proxy_b
 int32_t cni_contact_first_of_shape(const cn_world *world, int32_t shape);
 int32_t cni_contact_next_of_shape(const cn_world *world, int32_t key, int32_t shape);
 /* After cni_contact_reserve it cannot fail. Logs CREATED. */
-int32_t cni_contact_create(cn_world *world, int32_t proxy_a, int32_t proxy_b);
+void cni_contact_create(cn_world *world, int32_t proxy_a, int32_t proxy_b);
 
 /* Reserves memory in the pending event logs for the end of `contacts` contacts between steps. */
 cn_result cni_contact_reserve_end(cn_world *world, int32_t contacts);

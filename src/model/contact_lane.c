@@ -70,11 +70,11 @@ static void lane_write_friction(cni_contact_block *block, uint32_t lane, float f
 	block->tm[lane] = cni_inverse_or_zero(inv_mass + ia * fa * fa + ib * fb * fb);
 }
 
-/* Rounding radius of the shape of a lane's body. */
-static float lane_radius(const cn_world *world, const cni_contact *c, int32_t lane_side)
+/* Rounding radius of the shape of a lane's first body. */
+static float lane_radius(const cn_world *world, const cni_contact *c)
 {
 	int32_t flipped = (c->flags & CNI_CONTACT_FLIPPED) != 0;
-	const cni_shape *s = cni_shape_at(world, cni_proxy_at(world, c->proxy[lane_side ^ flipped])->shape);
+	const cni_shape *s = cni_shape_at(world, cni_proxy_at(world, c->proxy[flipped])->shape);
 	return cni_shape_geometry(&world->blocks, s)->radius;
 }
 
@@ -354,7 +354,7 @@ static void describe_manifold(const cn_world *world, const cni_contact *c, cn_ma
 	int32_t flipped = (c->flags & CNI_CONTACT_FLIPPED) != 0, k;
 	lane_frame f;
 	lane_rows rows = lane_rows_of(world, c);
-	float radius = lane_radius(world, c, 0), gap = cni_contact_gap(world, c), moved_n, moved_t;
+	float radius = lane_radius(world, c), gap = cni_contact_gap(world, c), moved_n, moved_t;
 	cni_vec2 push = cni_v(row_read(rows, ROW_NX), row_read(rows, ROW_NY)), n, t, middle;
 	n = c->flags & CNI_CONTACT_ASLEEP ? push : lane_normal(world, c);
 	t = cni_right_perp(n);

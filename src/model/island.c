@@ -133,12 +133,11 @@ void cni_island_link(cn_world *world, int32_t body_a, int32_t body_b)
 	}
 }
 
-void cni_island_unlink(cn_world *world, int32_t body_a, int32_t body_b)
+void cni_island_unlink(cn_world *world, int32_t body)
 {
-	const cni_body *a = cni_body_at(world, body_a);
-	(void)body_b;
-	if (a->island != CNI_NONE)
-		++cni_island_at(world, a->island)->losses;
+	const cni_body *b = cni_body_at(world, body);
+	if (b->island != CNI_NONE)
+		++cni_island_at(world, b->island)->losses;
 }
 
 void cni_island_remove_body(cn_world *world, int32_t body)

@@ -52,8 +52,8 @@ enum { CNI_TIER_SOFT = CN_TIER_SOFT, CNI_TIER_DIRECT = CN_TIER_DIRECT };
 
 /* Joins the islands of two dynamic bodies; wakes the sleeping side if the other is awake. After cni_island_reserve(world, 1). */
 void cni_island_link(cn_world *world, int32_t body_a, int32_t body_b);
-/* Counts one removed link between the bodies. */
-void cni_island_unlink(cn_world *world, int32_t body_a, int32_t body_b);
+/* Counts one removed link of the body's island. */
+void cni_island_unlink(cn_world *world, int32_t body);
 /* Removes a body from its island (when destroyed or no longer dynamic). */
 void cni_island_remove_body(cn_world *world, int32_t body);
 /* Replaces the island by its connected parts. 0: no scratch memory, nothing changed. */

@@ -110,7 +110,7 @@ void cni_joint_unlink(cn_world *world, int32_t joint)
 	list_unlink(world, joint, 0);
 	list_unlink(world, joint, 1);
 	if (j->linked)
-		cni_island_unlink(world, j->body[0], j->body[1]);
+		cni_island_unlink(world, j->body[0]);
 	j->linked = 0;
 	if (!(j->flags & CN_JOINT_COLLIDE) && j->body[0] != CNI_NONE && j->body[1] != CNI_NONE)
 		bodies_refilter(world, j);

@@ -38,7 +38,7 @@ void cni_begun_close(cni_begun_store *store, cn_world *world)
 	cni_arena_pop(&world->arena, store->kept);
 }
 
-cni_begun cni_begun_of(const cni_touch *t)
+static cni_begun begun_of(const cni_touch *t)
 {
 	cni_begun b = { t->manifold, t->gap, { t->radius[0], t->radius[1] } };
 	return b;
@@ -55,7 +55,7 @@ cni_begun cni_begun_again(const cn_world *world, int32_t contact, float dt)
 		cni_touch_collide(&t);
 		cni_touch_finish(world, dt, &t);
 	}
-	return cni_begun_of(&t);
+	return begun_of(&t);
 }
 
 /* The slot of a contact that does not touch is its place in the list. */
@@ -64,7 +64,7 @@ int32_t cni_begun_keep(cni_begun_store *store, const cni_touch *t)
 	int32_t group = t->contact->slot / CNI_BEGUN_GROUP;
 	if (store->kept == NULL || store->counts[group] == (group < store->first_new ? store->room : CNI_BEGUN_GROUP))
 		return 0;
-	store->kept[room_before(store, group) + store->counts[group]++] = cni_begun_of(t);
+	store->kept[room_before(store, group) + store->counts[group]++] = begun_of(t);
 	return 1;
 }
 

@@ -30,7 +30,6 @@ typedef struct cni_begun_store {
 /* For a list of contacts of which `created` at the end are new in this step. Pushes on the frame arena; close pops. */
 void cni_begun_open(cni_begun_store *store, cn_world *world, int32_t contacts, int32_t created);
 void cni_begun_close(cni_begun_store *store, cn_world *world);
-cni_begun cni_begun_of(const cni_touch *t);
 /* Computes the manifold of a contact again. */
 cni_begun cni_begun_again(const cn_world *world, int32_t contact, float dt);
 /* Returns 0 if there is no room. */

@@ -141,7 +141,7 @@ static void mend_seams(const cn_world *world, const cni_manifold_input *in, cni_
 static void meet(const cn_world *world, const cni_body *a, const cni_body *b, const cni_manifold_input *near, float dt, cni_touch *out)
 {
 	cni_manifold_input in = *near;
-	cni_manifold_cache cache = { 0, 0, { 0, 0 } };
+	cni_manifold_cache cache = { 0, { 0, 0, 0 } };
 	cni_vec2 from = cni_v(a->cx, a->cy);
 	cni_transform xa, xb, a_now, b_now;
 	const cni_motion *motions = cni_motions(world);

@@ -56,7 +56,7 @@ static cni_transform target_in_region(const cni_query_target *t, const cni_regio
 static void manifold_make(const plane_query *q, const cni_query_target *t, cni_manifold *out)
 {
 	cni_transform x = target_in_region(t, q->region);
-	cni_manifold_cache cache = { 0, 0, { 0, 0 } };
+	cni_manifold_cache cache = { 0, { 0, 0, 0 } };
 	cni_manifold_input in = { &q->solid->g, t->geometry, 0, t->child, x, q->margin, q->sight->world->settings.slop };
 	int32_t k;
 	memset(out, 0, sizeof *out);

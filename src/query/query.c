@@ -218,8 +218,9 @@ static void first_sift_up(const cni_first *first, int32_t i)
 	}
 }
 
-static void first_sift_down(const cni_first *first, int32_t i, int32_t count)
+static void first_sift_down(const cni_first *first, int32_t count)
 {
+	int32_t i = 0;
 	for (;;) {
 		int32_t last = i, child;
 		for (child = 2 * i + 1; child <= 2 * i + 2 && child < count; ++child)
@@ -251,7 +252,7 @@ void cni_first_add(cni_first *first, const void *item)
 		first_sift_up(first, first->held++);
 	} else if (first->held > 0 && first->before(item, first_at(first, 0))) {
 		memcpy(first_at(first, 0), item, (size_t)first->item_bytes);
-		first_sift_down(first, 0, first->held);
+		first_sift_down(first, first->held);
 	}
 }
 
@@ -260,6 +261,6 @@ void cni_first_end(cni_first *first)
 	int32_t count;
 	for (count = first->held - 1; count > 0; --count) {
 		first_swap(first, 0, count);
-		first_sift_down(first, 0, count);
+		first_sift_down(first, count);
 	}
 }

@@ -177,7 +177,7 @@ cn_result cn_polygon_cast(const cn_polygon *a, const cn_pose *pose_a, const cn_p
 static int32_t pair_manifold(const pair *p, float margin, cni_manifold *out)
 {
 	int32_t swapped = p->b.g.type < p->a.g.type;
-	cni_manifold_cache cache = { 0, 0, { 0, 0 } };
+	cni_manifold_cache cache = { 0, { 0, 0, 0 } };
 	cni_manifold_input in = { &p->a.g, &p->b.g, 0, 0, p->b_in_a, margin, SLOP_M };
 	if (swapped) {
 		in.a = &p->b.g;

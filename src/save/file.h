@@ -108,16 +108,14 @@ uint64_t cni_file_checksum(const uint8_t *bytes, uint64_t count);
 void cni_file_settings(cni_file *f, cni_settings *settings);
 /* Passes the whole world; READ: into one that was created empty, with the settings of the file. */
 void cni_file_world(cn_world *world, cni_file *f);
-/* The members of cn_world. */
-cni_record cni_file_world_record(void);
+/* The k-th kind of records, that of cn_world first; NULL: there are no more. */
+const cni_record *cni_file_kind(int32_t k);
 /* Blocks with extra rows: all, where some contact needs them, else none, as in most worlds. */
 int32_t cni_file_extra_count(const cn_world *world);
 /* Has some touching contact, awake or asleep, extra rows? */
 int32_t cni_file_needs_extra(const cn_world *world);
 /* The k-th array of the world's state; NULL: there are no more. */
 cni_array *cni_file_array(cn_world *world, int32_t k);
-/* The first byte of a record that no field names, as record << 16 | offset; -1: all are named. For tests. */
-int32_t cni_file_unknown(void);
 
 /* ---- file_rebuild.c */
 

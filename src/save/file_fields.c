@@ -167,12 +167,12 @@ static const cni_field joint_event_fields[] = {
 };
 
 enum {
-	OF_SETTINGS, OF_WORLD, OF_WORDS, OF_ALIAS, OF_HANDLES, OF_BODY, OF_MOTION, OF_START, OF_EXTERNAL, OF_PREVIOUS, OF_BODY_INDEX, OF_SHAPE, OF_PROXY, OF_CONTACT, OF_CONTACT_INDEX, OF_BLOCK, OF_INFO,
+	OF_WORLD, OF_SETTINGS, OF_WORDS, OF_ALIAS, OF_HANDLES, OF_BODY, OF_MOTION, OF_START, OF_EXTERNAL, OF_PREVIOUS, OF_BODY_INDEX, OF_SHAPE, OF_PROXY, OF_CONTACT, OF_CONTACT_INDEX, OF_BLOCK, OF_INFO,
 	OF_ANCHOR, OF_EXTRA, OF_SLEEP_LANE, OF_COLOR, OF_JOINT, OF_JOINT_INDEX, OF_ISLAND, OF_ISLAND_INDEX, OF_EVENT, OF_STAY, OF_HIT, OF_SENSOR_EVENT, OF_JOINT_EVENT, OF_AREA, RECORDS
 };
 
 static const cni_record records[RECORDS] = {
-	RECORD(settings_fields, cni_settings), RECORD(world_fields, cn_world), RECORD(word_fields, uint32_t), RECORD(alias_fields, cni_alias),
+	RECORD(world_fields, cn_world), RECORD(settings_fields, cni_settings), RECORD(word_fields, uint32_t), RECORD(alias_fields, cni_alias),
 	RECORD(handles_fields, cni_handles), RECORD(body_fields, cni_body), RECORD(motion_fields, cni_motion), RECORD(start_fields, cni_velocity_start),
 	RECORD(external_fields, cni_external), RECORD(previous_fields, cni_previous), RECORD(body_index_fields, int32_t), RECORD(shape_fields, cni_shape),
 	RECORD(proxy_fields, cni_proxy), RECORD(contact_fields, cni_contact), RECORD(contact_index_fields, int32_t),
@@ -183,24 +183,7 @@ static const cni_record records[RECORDS] = {
 	RECORD(area_fields, cni_area)
 };
 
-cni_record cni_file_world_record(void) { return records[OF_WORLD]; }
-
-int32_t cni_file_unknown(void)
-{
-	int32_t r, offset, k;
-	for (r = 0; r < RECORDS; ++r) {
-		for (offset = 0; offset < records[r].bytes; ++offset) {
-			int32_t named = 0;
-			for (k = 0; k < records[r].count; ++k) {
-				const cni_field *field = &records[r].fields[k];
-				named |= offset >= field->offset && offset < field->offset + (int32_t)(field->count * CNI_FIELD_BYTES(field->kind));
-			}
-			if (!named)
-				return r << 16 | offset;
-		}
-	}
-	return -1;
-}
+const cni_record *cni_file_kind(int32_t k) { return k < RECORDS ? &records[k] : NULL; }
 
 /* ---- single records, arrays, tables ---- */
 

@@ -80,16 +80,16 @@ static void arrays_pass(cn_world *world, cni_snapshot *s)
 
 void cni_world_snapshot(cn_world *world, cni_snapshot *s)
 {
-	const cni_record members = cni_file_world_record();
+	const cni_record *members = cni_file_kind(0);
 	int32_t k;
 	rooms_pass(world, s);
 	tables_pass(world, s);
 	handles_pass(s, &world->body_handles);
 	handles_pass(s, &world->shape_handles);
 	handles_pass(s, &world->joint_handles);
-	for (k = 0; k < members.count; ++k)
-		if (members.fields[k].kind != CNI_FIELD_DERIVED)
-			cni_snapshot_state(s, (uint8_t *)world + members.fields[k].offset, members.fields[k].count * CNI_FIELD_BYTES(members.fields[k].kind));
+	for (k = 0; k < members->count; ++k)
+		if (members->fields[k].kind != CNI_FIELD_DERIVED)
+			cni_snapshot_state(s, (uint8_t *)world + members->fields[k].offset, members->fields[k].count * CNI_FIELD_BYTES(members->fields[k].kind));
 	cni_snapshot_blocks(s, &world->blocks);
 	world->broadphase_ops->snapshot(world->broadphase, s);
 	arrays_pass(world, s); /* last what changes its length in most steps, so that it moves little else: save/save_delta.c */
@@ -105,12 +105,12 @@ uint64_t cni_world_layout(void)
 		sizeof(cni_block_info), sizeof(cni_block_anchor), sizeof(cni_block_extra), sizeof(cni_joint), sizeof(cni_island), sizeof(cni_motion),
 		sizeof(cni_previous), sizeof(cni_area), sizeof(cni_sleep_lane), sizeof(cni_event), sizeof(cn_contact_event), sizeof(cn_world), sizeof(void *), CN_VERSION_MAJOR, CN_VERSION_MINOR,
 		CN_VERSION_PATCH };
-	const cni_record members = cni_file_world_record();
+	const cni_record *members = cni_file_kind(0);
 	uint64_t hash = 0xCBF29CE484222325u;
 	uint32_t k;
 	for (k = 0; k < sizeof sizes / sizeof sizes[0]; ++k)
 		hash = (hash ^ sizes[k]) * 0x100000001B3u;
-	for (k = 0; k < (uint32_t)members.count; ++k)
-		hash = (hash ^ ((uint64_t)members.fields[k].offset << 32 | members.fields[k].kind)) * 0x100000001B3u;
+	for (k = 0; k < (uint32_t)members->count; ++k)
+		hash = (hash ^ ((uint64_t)members->fields[k].offset << 32 | members->fields[k].kind)) * 0x100000001B3u;
 	return hash;
 }

@@ -272,11 +272,9 @@ static cn_result broadphase_create(cn_world *world, int32_t capacity)
 	cni_broadphase_context context;
 	memset(&context, 0, sizeof context);
 	context.memory = &world->memory;
-	context.blocks = &world->blocks;
 	context.arena = &world->arena;
 	context.proxies = &world->proxies;
 	context.team = &world->team;
-	context.length_unit = world->settings.length_unit;
 	world->broadphase_ops = broadphase_choice(world->settings.broadphase);
 	world->broadphase = world->broadphase_ops->create(&context, capacity);
 	return world->broadphase != NULL ? CN_OK : CN_ERROR_MEMORY;

@@ -61,7 +61,7 @@ static void text(const cn_debug_draw *d, cni_vec2 p, const char *words, uint32_t
 
 /* ---- shapes ---- */
 
-static uint32_t body_color(const cn_world *world, const cn_debug_draw *d, const cni_body *b, const cni_shape *s)
+static uint32_t body_color(const cn_debug_draw *d, const cni_body *b, const cni_shape *s)
 {
 	if (s->flags & CN_SHAPE_SENSOR)
 		return COLOR_SENSOR;
@@ -71,7 +71,6 @@ static uint32_t body_color(const cn_world *world, const cn_debug_draw *d, const 
 		return COLOR_ASLEEP;
 	if ((d->flags & CN_DRAW_ISLANDS) && b->island != CNI_NONE)
 		return ((uint32_t)b->island * 2654435761u >> 8 & 0xFFFFFFu) | 0x404040u;
-	(void)world;
 	return b->type == CN_BODY_KINEMATIC ? COLOR_KINEMATIC : COLOR_AWAKE;
 }
 
@@ -125,7 +124,7 @@ static void draw_shape(const cn_world *world, const cn_debug_draw *d, const cni_
 	const cni_geometry *g = cni_shape_geometry(&world->blocks, s);
 	cni_transform x = cni_body_transform(b);
 	cni_aabb box = cni_geometry_bounds(g, x);
-	uint32_t color = body_color(world, d, b, s);
+	uint32_t color = body_color(d, b, s);
 	if (!in_view(d, &box))
 		return;
 	if (d->flags & CN_DRAW_SHAPES) {

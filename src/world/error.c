@@ -38,14 +38,14 @@ void cni_text_string(cni_text *text, const char *string)
 		text_char(text, *string++);
 }
 
-static void text_digits(cni_text *text, uint64_t value, int32_t base, int32_t digits_min)
+static void text_digits(cni_text *text, uint64_t value, int32_t base)
 {
 	char digits[24];
 	int32_t count = 0;
 	do {
 		digits[count++] = "0123456789abcdef"[value % (uint64_t)base];
 		value /= (uint64_t)base;
-	} while (value != 0 || count < digits_min);
+	} while (value != 0);
 	while (count > 0)
 		text_char(text, digits[--count]);
 }
@@ -54,14 +54,14 @@ void cni_text_int(cni_text *text, int64_t value)
 {
 	if (value < 0)
 		text_char(text, '-');
-	text_digits(text, value < 0 ? (uint64_t)0 - (uint64_t)value : (uint64_t)value, 10, 1);
+	text_digits(text, value < 0 ? (uint64_t)0 - (uint64_t)value : (uint64_t)value, 10);
 }
 
 /* As 0x and digits: flags and handles. */
 static void text_hex(cni_text *text, uint32_t value)
 {
 	cni_text_string(text, "0x");
-	text_digits(text, value, 16, 1);
+	text_digits(text, value, 16);
 }
 
 /* Six decimal digits d and the exponent x of a finite float > 0, given as its bits: value = d * 10^x, rounded. */

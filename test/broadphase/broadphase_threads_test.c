@@ -22,7 +22,6 @@ typedef struct crowd {
 	hooks persistent, scratch;  /* memory that fails separately */
 	cni_memory memory, arena_memory, table_memory;
 	cni_arena arena;
-	cni_blocks blocks;
 	cni_table proxies;
 	cni_team *team;
 	const cni_broadphase_ops *ops;
@@ -79,18 +78,15 @@ static void crowd_open(crowd *c, const cni_broadphase_ops *ops, int32_t workers)
 	hooks_init(&c->scratch, &c->arena_memory);
 	cni_memory_init_hooks(&c->table_memory, NULL, NULL, NULL);
 	cni_arena_init(&c->arena, &c->arena_memory);
-	cni_blocks_init(&c->blocks, &c->memory);
 	cni_table_init(&c->proxies, (int32_t)sizeof(cni_proxy), 6);
 	cni_array_init(&c->pairs.list, (int32_t)sizeof(cni_pair));
 	if (cni_team_possible(workers, NULL))
 		c->team = cni_team_create(&c->table_memory, workers, NULL, NULL, NULL);
 	memset(&context, 0, sizeof context);
 	context.memory = &c->memory;
-	context.blocks = &c->blocks;
 	context.arena = &c->arena;
 	context.proxies = &c->proxies;
 	context.team = (cni_team *const *)&c->team;
-	context.length_unit = 1.0f;
 	if (!cni_table_reserve(&c->proxies, &c->table_memory, BOXES) || (c->broadphase = ops->create(&context, BOXES)) == NULL)
 		abort();
 	for (id = 0; id < BOXES; ++id)
@@ -102,7 +98,6 @@ static void crowd_close(crowd *c)
 	c->ops->destroy(c->broadphase);
 	cni_array_deinit(&c->pairs.list, &c->memory);
 	cni_arena_deinit(&c->arena);
-	cni_blocks_deinit(&c->blocks);
 	cni_table_deinit(&c->proxies, &c->table_memory);
 	cni_team_destroy(c->team, &c->table_memory);
 	CHECK(c->memory.bytes_in_use == 0 && c->arena_memory.bytes_in_use == 0);

@@ -79,7 +79,6 @@ typedef struct box_world {
 	flaky flaky, arena_flaky;
 	cni_memory memory, arena_memory;
 	cni_memory table_memory;
-	cni_blocks blocks;
 	cni_arena arena;
 	cni_table proxies;
 	const cni_broadphase_ops *ops;
@@ -122,7 +121,6 @@ static int32_t world_open(box_world *w, int32_t capacity, int64_t fail_first, in
 	w->ops = tested.ops;
 	cni_memory_init_hooks(&w->memory, flaky_alloc, flaky_free, &w->flaky);
 	cni_memory_init_hooks(&w->table_memory, NULL, NULL, NULL);
-	cni_blocks_init(&w->blocks, &w->memory);
 	if (without_scratch)
 		w->arena_flaky.fail_last = INT64_MAX;
 	cni_memory_init_hooks(&w->arena_memory, flaky_alloc, flaky_free, &w->arena_flaky);
@@ -133,12 +131,19 @@ static int32_t world_open(box_world *w, int32_t capacity, int64_t fail_first, in
 		abort();
 	memset(&context, 0, sizeof(context));
 	context.memory = &w->memory;
-	context.blocks = &w->blocks;
 	context.arena = &w->arena;
 	context.proxies = &w->proxies;
-	context.length_unit = 1.0f;
 	w->broadphase = w->ops->create(&context, 0);
 	return w->broadphase != NULL;
+}
+
+/* Destroys the broadphase; returns the bytes that it had. */
+static uint64_t broadphase_close(box_world *w)
+{
+	uint64_t before = w->memory.bytes_in_use;
+	w->ops->destroy(w->broadphase);
+	w->broadphase = NULL;
+	return before - w->memory.bytes_in_use;
 }
 
 static void world_close(box_world *w)
@@ -147,7 +152,6 @@ static void world_close(box_world *w)
 		w->ops->destroy(w->broadphase);
 	cni_array_deinit(&w->pairs.list, &w->memory);
 	cni_arena_deinit(&w->arena);
-	cni_blocks_deinit(&w->blocks);
 	cni_table_deinit(&w->proxies, &w->table_memory);
 	CHECK(w->memory.bytes_in_use == 0);
 }

@@ -33,7 +33,7 @@ static void t_segments(void)
 static void t_shapes_apart_and_overlapping(void)
 {
 	double worst = 0.0, worst_points = 0.0, worst_normal = 0.0;
-	int32_t apart = 0, overlapping = 0, iterations = 0, wrong = 0;
+	int32_t apart = 0, overlapping = 0, wrong = 0;
 	for (int32_t k = 0; k < 60000; ++k) {
 		record a, b;
 		cni_vec2 storage[2];
@@ -42,7 +42,6 @@ static void t_shapes_apart_and_overlapping(void)
 		record_random(&b, random_below(4), size);
 		cni_transform x = transform_make(random_in(-3, 3) * size, random_in(-3, 3) * size, random_below(3) ? random_in(-3, 3) : 1.5707963f);
 		cni_closest d = cni_distance(set_of(&a, storage), set_of(&b, storage), x);
-		iterations = cni_max_i(iterations, d.iterations);
 		double radii = (double)a.g.radius + (double)b.g.radius;
 		double reference = reference_separation(&a.g, &b.g, x);
 		if (reference + radii < 1e-5 * (double)size) {
@@ -62,7 +61,6 @@ static void t_shapes_apart_and_overlapping(void)
 	CHECK_LE("distance error over size", worst, 3e-6, "");
 	CHECK_LE("normal length error", worst_normal, 1e-6, "");
 	CHECK_LE("points do not span the distance, over size", worst_points, 1e-5, "");
-	CHECK_LE("iterations", iterations, 20, "");
 }
 
 static void t_radius_and_coincidence(void)

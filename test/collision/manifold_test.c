@@ -215,7 +215,7 @@ static void t_ids_persist_under_small_motion(void)
 	for (int32_t k = 0; k < 20000; ++k) {
 		pair p;
 		pair_random(&p, k % 11, 2 + 4 * (k / 11));
-		cni_manifold_cache cache = { 0, 0, { 0, 0 } };
+		cni_manifold_cache cache = { 0, { 0, 0, 0 } };
 		cni_manifold m0 = collide(&p.a.g, &p.b.g, 0, p.b_in_a, MARGIN, &cache);
 		cni_transform x = p.b_in_a;
 		x.t = cni_add(x.t, cni_v(random_in(-1e-4f, 1e-4f), random_in(-1e-4f, 1e-4f)));
@@ -266,7 +266,7 @@ static void t_jitter_does_not_change_a_stack(void)
 		/* Equal boxes, a plank on a box, a box on a plank. */
 		record_box(&b, k % 3 == 1 ? 4.0f : 0.5f, k % 3 == 2 ? 0.02f : 0.5f, radius, transform_none());
 		float way = 0.5f + (k % 3 == 2 ? 0.02f : 0.5f) + 2.0f * radius;
-		cni_manifold_cache cache = { 0, 0, { 0, 0 } };
+		cni_manifold_cache cache = { 0, { 0, 0, 0 } };
 		uint32_t id0 = 0, id1 = 0;
 		for (int32_t i = 0; i < 20; ++i) {
 			cni_transform x = transform_make(random_in(-2e-4f, 2e-4f), way + random_in(-1.0f, 0.3f) * SLOP, random_in(-1e-3f, 1e-3f));
@@ -371,7 +371,7 @@ static void t_cache_only_decides_ties(void)
 	for (int32_t k = 0; k < 20000; ++k) {
 		pair p;
 		pair_random(&p, k % 11, k / 11);
-		cni_manifold_cache cache = { (uint8_t)random_below(256), 0, { 0, 0 } };
+		cni_manifold_cache cache = { (uint8_t)random_below(256), { 0, 0, 0 } };
 		cni_manifold m = collide(&p.a.g, &p.b.g, 0, p.b_in_a, MARGIN, NULL), c = collide(&p.a.g, &p.b.g, 0, p.b_in_a, MARGIN, &cache);
 		if ((m.count > 0) != (c.count > 0)) {
 			/* Only at the margin itself. */
@@ -389,7 +389,7 @@ static void t_cache_only_decides_ties(void)
 static void t_a_deep_circle_keeps_its_face(void)
 {
 	record circle, box;
-	cni_manifold_cache cache = { 0, 0, { 0, 0 } };
+	cni_manifold_cache cache = { 0, { 0, 0, 0 } };
 	int32_t k, changed = 0;
 	float last = 0.0f;
 	record_circle(&circle, 0.5f);

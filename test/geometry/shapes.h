@@ -219,7 +219,7 @@ static inline double reference_separation(const cni_geometry *a, const cni_geome
 static inline cni_manifold collide(const cni_geometry *a, const cni_geometry *b, int32_t child_b, cni_transform b_in_a, float margin, cni_manifold_cache *cache)
 {
 	cni_manifold_input in = { a, b, 0, child_b, b_in_a, margin, SLOP };
-	cni_manifold_cache none = { 0, 0, { 0, 0 } };
+	cni_manifold_cache none = { 0, { 0, 0, 0 } };
 	cni_manifold out = { { 0.0f, 0.0f }, 0, 0, { { { 0.0f, 0.0f }, 0.0f, 0 }, { { 0.0f, 0.0f }, 0.0f, 0 } } };
 	cni_manifold_function(a->type, b->type)(&in, cache != NULL ? cache : &none, &out);
 	return out;

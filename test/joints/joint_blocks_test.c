@@ -118,7 +118,7 @@ static void bench_run(bench *b, const cni_joint_kernel *kernel)
 /* Of lanes that are taken; what lies behind them may be anything. */
 static int32_t lanes_differ(void)
 {
-	const int32_t rows = (int32_t)(offsetof(cni_joint_block, constraint) / sizeof(float[CNI_LANES]));
+	const int32_t rows = (int32_t)(offsetof(cni_joint_block, form) / sizeof(float[CNI_LANES]));
 	int32_t k, differ = memcmp(plain.motions, wide.motions, sizeof plain.motions) != 0 || memcmp(plain.starts, wide.starts, sizeof plain.starts) != 0;
 	for (k = 0; k < rows; ++k)
 		differ |= memcmp((const float *)(const void *)&plain.block + k * CNI_LANES, (const float *)(const void *)&wide.block + k * CNI_LANES, sizeof(float) * (size_t)drawn.block.lanes) != 0;

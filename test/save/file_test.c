@@ -327,13 +327,33 @@ static void t_the_bytes_are_the_same_everywhere(void)
 /* ---- completeness ---- */
 
 /* A new member of a record, cn_world among them, must be put into its list in src/save/file_fields.c. Counted where records have no padding. */
+static int32_t is_named(const cni_record *record, int32_t offset)
+{
+	int32_t k;
+	for (k = 0; k < record->count; ++k) {
+		const cni_field *field = &record->fields[k];
+		if (offset >= field->offset && offset < field->offset + (int32_t)(field->count * CNI_FIELD_BYTES(field->kind)))
+			return 1;
+	}
+	return 0;
+}
+
 static void t_every_member_is_known(void)
 {
-	int32_t unknown = cni_file_unknown();
+	const cni_record *record;
+	int32_t kinds, offset, unknown = 0;
 	if (sizeof(void *) != 8)
 		SKIP("pointers of 8 bytes only");
-	printf("  first unknown byte: record %d, offset %d\n", (int)(unknown >> 16), (int)(unknown & 0xFFFF));
-	CHECK(unknown == -1);
+	for (kinds = 0; (record = cni_file_kind(kinds)) != NULL; ++kinds) {
+		for (offset = 0; offset < record->bytes; ++offset) {
+			if (is_named(record, offset))
+				continue;
+			if (unknown++ == 0)
+				printf("  first unknown byte: record %d, offset %d\n", (int)kinds, (int)offset);
+		}
+	}
+	CHECK_GE("kinds of records", kinds, 31, "");
+	CHECK_LE("bytes that no field names", unknown, 0, "");
 }
 
 int main(int argc, char **argv)
