@@ -1,5 +1,5 @@
 /*
- * test/world/queries.h - what the query tests share: random worlds with every type of shape, filters, sensors,
+ * test/query/queries.h - what the query tests share: random worlds with every type of shape, filters, sensors,
  * disabled and sleeping bodies; what games do to them between two steps; which shapes a query may see; and
  * everything that can be asked, in one struct.
  */
