@@ -1594,7 +1594,6 @@ enum {
 typedef int32_t cn_query_fn(const cn_world *world, const cn_ray_hit *hit, void *user);
 
 /* Flags of a query. */
-/* Flags of a query. */
 enum {
 	CN_QUERY_IGNORE_JOINED = 1u << 0, /* also ignore bodies that a joint connects to ignored_body */
 	CN_QUERY_ONE_WAY = 1u << 1,       /* casts meet one-way shapes from their upper side (45 degrees) only, and not those that they
