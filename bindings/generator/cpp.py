@@ -46,6 +46,14 @@ TREE = """	/// An empty tree in memory of malloc.
 """
 SAVE = """	/// The sentence of the last call that failed, "" if none did.
 	const char *error_text() const noexcept { return cn_world_error_text(world_); }
+	/// Calls function(event) for contact events of one kind, while the world is locked; null ends that. The function stays the
+	/// caller's and must live as long as it may be called. No exception may leave it.
+	template <class F> Status on_contact(int32_t kind, F &function)
+	{
+		auto call = [](cn_world *, const cn_contact_event *event, void *user) { (*static_cast<F *>(user))(*event); };
+		return { cn_world_set_contact_callback(world_, kind, call, &function), world_ };
+	}
+	Status on_contact(int32_t kind, std::nullptr_t) { return { cn_world_set_contact_callback(world_, kind, nullptr, nullptr), world_ }; }
 """
 
 

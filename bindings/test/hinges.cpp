@@ -57,9 +57,8 @@ static void hinges()
 	std::size_t entered = 0;
 	int called = 0;
 	uint32_t sum = 0;
-	auto count_call = [](cn_world *, const cn_contact_event *event, void *user) { *static_cast<int *>(user) += event->kind == CN_EVENT_ENTER; };
-	if (cn_world_set_contact_callback(world.get(), CN_EVENT_ENTER, count_call, &called) != CN_OK)
-		return;
+	auto count_call = [&called](const cn_contact_event &event) { called += event.kind == CN_EVENT_ENTER; };
+	world.on_contact(CN_EVENT_ENTER, count_call).check();
 	for (int i = 0; i < steps; ++i) {
 		world.step(1.0f / 60.0f).check();
 		world.read_poses({}, poses).check();
@@ -73,6 +72,7 @@ static void hinges()
 	}
 	std::printf("falling_hinges: %d steps, %zu bodies, %zu entered, %d called, poses %08" PRIx32 ", hash %016" PRIx64 "\n", steps, poses.size(), entered,
 		called, sum, world.hash().value());
+	world.on_contact(CN_EVENT_ENTER, nullptr).check();
 }
 
 static void times()
