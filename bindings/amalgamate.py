@@ -43,6 +43,12 @@ PREAMBLE = '''/*
 #elif !defined(_POSIX_C_SOURCE)
 #define _POSIX_C_SOURCE 200809L
 #endif
+#if defined(__cplusplus) && defined(__GNUC__) /* what C++'s compilers say of good C */
+#pragma GCC diagnostic ignored "-Wextra"
+#pragma GCC diagnostic ignored "-Wmissing-braces"
+#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
+#pragma GCC diagnostic ignored "-Wpedantic"
+#endif
 #if defined(__clang__)
 #pragma clang diagnostic ignored "-Wunused-function" /* inline functions of a header that nobody calls at some width */
 #endif
