@@ -19,6 +19,7 @@
  */
 #include "base/wide.h"
 #include "contacts/contact_pass.h"
+#include "model/tuning.h"
 
 #define MOTION_FLOATS ((int32_t)(sizeof(cni_motion) / sizeof(float)))
 
@@ -226,7 +227,8 @@ CNI_INLINE void apply_friction(side *a, side *b, cni_wide nx, cni_wide ny, cni_w
 	b->w -= b->i * fb * dj;
 }
 
-/* Sticks within static friction, slides at dynamic friction. */
+/* Sticks within static friction, slides at dynamic friction. It begins to slide where it needs CNI_STICK_MARGIN times static friction: a pass
+   with a normal impulse that has yet to follow a push needs a little more than the contact bears, and leaves a little slip to the next. */
 CNI_INLINE void solve_friction(cni_contact_block *k, const cni_block_extra *extra, int32_t l, side *a, side *b)
 {
 	cni_wide nx = cni_wide_load(k->nx + l), ny = cni_wide_load(k->ny + l);
@@ -236,8 +238,8 @@ CNI_INLINE void solve_friction(cni_contact_block *k, const cni_block_extra *extr
 	cni_wide old = cni_wide_load(k->jt + l), target = old - cni_wide_load(k->tm + l) * slip;
 	cni_wide normal = cni_wide_load(k->p[0].jn + l) + cni_wide_load(k->p[1].jn + l);
 	cni_wide stick = cni_wide_load(k->static_friction + l) * normal, slide = cni_wide_load(k->dynamic_friction + l) * normal;
-	cni_wide sliding = cni_wide_max(cni_wide_min(target, slide), -slide);
-	cni_wide impulse = cni_wide_select(cni_wide_abs(target) <= stick, target, sliding);
+	cni_wide most = cni_wide_select(cni_wide_abs(target) <= cni_wide_of(CNI_STICK_MARGIN) * stick, stick, slide);
+	cni_wide impulse = cni_wide_max(cni_wide_min(target, most), -most);
 	cni_wide_store(k->jt + l, impulse);
 	apply_friction(a, b, nx, ny, fa, fb, impulse - old);
 }
@@ -615,7 +617,6 @@ static void kernel_closing(const cni_velocity_start *starts, const cni_listed_bl
 #endif
 
 #include "contacts/manifold_reuse_kernel.h"
-#include "model/tuning.h"
 
 #if CNI_HAS_RESTITUTION
 const cni_contact_kernel CNI_KERNEL = { { kernel_warm, kernel_solve, kernel_relax, AGAIN }, kernel_closing, kernel_impact, kernel_reuse };

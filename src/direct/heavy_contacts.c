@@ -373,8 +373,9 @@ static float normal_target(const cni_solve *s, const cni_direct_contact *p, int3
 
 static float friction_target(const cni_direct_contact *p, float m, float speed)
 {
-	float target = p->j[2] - m * speed, normal = p->j[0] + p->j[1], slide = p->dynamic_friction * normal;
-	return cni_abs(target) <= p->static_friction * normal ? target : cni_clamp(target, -slide, slide);
+	float target = p->j[2] - m * speed, normal = p->j[0] + p->j[1], stick = p->static_friction * normal;
+	float most = cni_abs(target) <= CNI_STICK_MARGIN * stick ? stick : p->dynamic_friction * normal;
+	return cni_clamp(target, -most, most);
 }
 
 static void rows_solve(const cni_solve *s, const cni_heavy_contact *h, cni_direct_contact *p, const cni_motion *a, const cni_motion *b, int32_t bias)

@@ -100,6 +100,9 @@ CNI_TUNING_FLOAT(CNI_BOUNCE_DELAY_RESTITUTION, 0.5f)
    substep, was pulled back in the same, and went through a floor. With 4, crowds of elastic discs lose 0.5% of their energy in the
    test, with 8 half of that. */
 CNI_TUNING_FLOAT(CNI_BOUNCE_MISSED_SUBSTEPS, 8.0f)
+/* Times static friction: what a contact that sticks may need in a pass. With 1 boxes slid that were pushed at once with 78 to 90% of static
+   friction, and on slopes of 97%. */
+CNI_TUNING_FLOAT(CNI_STICK_MARGIN, 1.5f)
 /* Rounds between normals and friction of a lane in the substep in which its contact begins to bear. */
 CNI_TUNING_COUNT(CNI_NEW_CONTACT_ROUNDS, 4)
 /* Sweeps of restitution. A wave through touching balls may need several; the next solve takes the rest. */

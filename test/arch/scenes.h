@@ -18,13 +18,13 @@ typedef struct arch_scene {
 
 #define ARCH_SCENES 8
 static const arch_scene arch_scenes[ARCH_SCENES] = {
-	{ "shapes", scene_shapes, 0x7b0fac6cf147214d },
+	{ "shapes", scene_shapes, 0x95751234341e81be },
 	{ "joints", scene_joints, 0xd3150042de2a1ee3 },
 	{ "direct", scene_direct, 0xf12e85e8b65b49d8 },
 	{ "tiers", scene_tiers, 0x6d8c16729bfbb91f },
 	{ "sequential", scene_sequential, 0x6bc77927e99d3264 },
-	{ "queries", scene_queries, 0x8eabe7465e38d7f6 },
-	{ "events", scene_events, 0x4072afc9f904ebc7 },
+	{ "queries", scene_queries, 0xc2f73fc905b99ec2 },
+	{ "events", scene_events, 0xb91fcec25bb8d701 },
 	{ "file", scene_file, 0x4f7994a1f3ca91d1 },
 };
 

@@ -497,6 +497,55 @@ static void push_must_exceed_static_friction_and_then_meets_dynamic(void)
 	cn_world_destroy(world);
 }
 
+/* How far a box goes that lies on a slope, or is pushed at its centre from one step to the next, with this share of static friction. */
+static double moved_by(float half_height, float friction, float dynamic_friction, double share, int32_t push, int32_t solver)
+{
+	cn_world_def def;
+	cn_world *world;
+	cn_material ground = material_of(friction, 0.0f);
+	cn_shape_def shape;
+	cn_mass_data mass;
+	double slope = push ? 0.0 : atan(share * (double)friction), moved;
+	cn_body box;
+	int32_t k;
+	cn_world_def_init(&def);
+	def.solver = solver;
+	def.gravity_mps2.x = (float)(GRAVITY * sin(slope));
+	def.gravity_mps2.y = (float)(-GRAVITY * cos(slope));
+	must(cn_world_create(&def, &world), NULL, "cn_world_create");
+	ground.dynamic_friction = dynamic_friction;
+	slab(world, &ground);
+	box = fixture_body(world, CN_BODY_DYNAMIC, 0.0f, half_height, 0.0f);
+	shape = fixture_shape_def(box, 0.0f, 0.0f);
+	shape.material = ground;
+	fixture_box_shape(world, &shape, 0.5f, half_height);
+	must(cn_body_get_mass_data(world, box, &mass), world, "cn_body_get_mass_data");
+	for (k = 0; k < 240; ++k) {
+		if (push && k >= 60)
+			cn_body_apply_force(world, box, (float)(share * (double)friction * GRAVITY) * mass.mass_kg, 0.0f);
+		fixture_step(world, 1);
+	}
+	moved = (double)fixture_pose(world, box).position_m.x;
+	cn_world_destroy(world);
+	return moved;
+}
+
+static void static_friction_holds_up_to_its_coefficient(void)
+{
+	const float heights[] = { 0.05f, 0.25f, 0.5f, 0.6f }, pairs[3][2] = { { 0.6f, 0.4f }, { 0.6f, 0.54f }, { 0.3f, 0.15f } };
+	int32_t k, pair, push, solver;
+	double held = 0.0, slid = HUGE_VAL;
+	for (solver = CN_SOLVER_AUTO; solver <= CN_SOLVER_SOFT; ++solver)
+		for (push = 0; push < 2; ++push)
+			for (pair = 0; pair < 3; ++pair)
+				for (k = 0; k < 4; ++k) {
+					held = fmax(held, moved_by(heights[k], pairs[pair][0], pairs[pair][1], 0.98, push, solver));
+					slid = fmin(slid, moved_by(heights[k], pairs[pair][0], pairs[pair][1], 1.03, push, solver));
+				}
+	CHECK_LE("farthest way with 98% of static friction", held, 1e-3, "m");
+	CHECK_GE("shortest way with 103%", slid, 1.0, "m");
+}
+
 int main(int argc, char **argv)
 {
 	test_begin(argc, argv);
@@ -515,5 +564,6 @@ int main(int argc, char **argv)
 	RUN(ball_stays_below_the_critical_slope);
 	RUN(box_reaches_the_speed_of_the_belt);
 	RUN(push_must_exceed_static_friction_and_then_meets_dynamic);
+	RUN(static_friction_holds_up_to_its_coefficient);
 	return test_end();
 }
