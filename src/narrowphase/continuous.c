@@ -126,15 +126,25 @@ static int32_t core_reaches(const clamp *c, const cni_aabb *box)
 	return cni_aabb_overlap(&c->reach, &near);
 }
 
+/* Did the pre-solve callback let the pair pass in this step? Then its contact touches without a point. */
+static int32_t pair_is_refused(const clamp *c, const cni_shape *other, int32_t proxy)
+{
+	const cn_world *world = c->world;
+	uint32_t flags = (uint32_t)(other->flags | cni_shape_at(world, cni_proxy_at(world, c->proxy)->shape)->flags);
+	int32_t contact = flags & CN_SHAPE_PRE_SOLVE ? cni_contact_find(world, c->proxy, proxy) : CNI_NONE;
+	return contact != CNI_NONE && (cni_contact_at(world, contact)->flags & CNI_CONTACT_TOUCHING) && cni_contact_at(world, contact)->id[0] == 0;
+}
+
 static int32_t other_blocks(const clamp *c, int32_t proxy)
 {
 	const cn_world *world = c->world;
 	const cni_proxy *p = cni_proxy_at(world, proxy);
+	const cni_shape *other = cni_shape_at(world, p->shape);
 	if (c->targets == CLAMP_STATIC && !(p->flags & CNI_PROXY_STATIC))
 		return 0;
-	if (cni_shape_at(world, p->shape)->flags & (CN_SHAPE_SENSOR | CN_SHAPE_ONE_WAY))
+	if (other->flags & (CN_SHAPE_SENSOR | CN_SHAPE_ONE_WAY))
 		return 0;
-	return cni_contact_allowed(world, c->proxy, proxy);
+	return !pair_is_refused(c, other, proxy) && cni_contact_allowed(world, c->proxy, proxy);
 }
 
 /* Advance along the normal of the shape's support point in the direction -normal. */
@@ -292,7 +302,7 @@ static void motion_shorten(cni_motion *m, float fraction)
 
 static int32_t shape_can_tunnel(const cni_shape *s, int32_t proxy)
 {
-	return s->type != CN_SHAPE_CHAIN && !(s->flags & CN_SHAPE_SENSOR) && proxy != CNI_NONE;
+	return s->type != CN_SHAPE_CHAIN && !(s->flags & (CN_SHAPE_SENSOR | CN_SHAPE_ONE_WAY)) && proxy != CNI_NONE;
 }
 
 /* Against the static shapes that it has contacts with. */

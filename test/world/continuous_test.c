@@ -421,6 +421,59 @@ static void what_turns_out_of_a_wall_falls_on(void)
 	CHECK_LE("way along a locked axis", strays, 0.0, "m");
 }
 
+/* ---- pairs that do not collide ---- */
+
+static int32_t refuse(cn_world *world, const cn_contact_event *contact, void *user)
+{
+	(void)world;
+	(void)contact;
+	(void)user;
+	return 0;
+}
+
+/* Movers with these flags, one-way ones with their upper side away from the wall: how many lose speed or stay in front of the wall? */
+static int32_t held_by_wall(int32_t mover, int32_t wall, float speed, uint32_t flags, uint32_t *random)
+{
+	cn_world *world = fixture_world(0.0f, 1);
+	cn_body bodies[STARTS];
+	int32_t held = 0, k;
+	wall_make(world, wall);
+	must(cn_world_set_pre_solve_callback(world, refuse, NULL), world, "callback");
+	for (k = 0; k < STARTS; ++k) {
+		bodies[k] = mover_make(world, mover, speed, 0.0f, LAUNCH_DEFINED, random);
+		must(cn_shape_set_flags(world, fixture_first_shape(world, bodies[k]), flags), world, "flags");
+		if (flags & CN_SHAPE_ONE_WAY)
+			must(cn_body_set_pose(world, bodies[k], -0.5f - (float)k / (float)STARTS, (float)(k % 50), 1.5707963f), world, "pose");
+	}
+	fixture_step(world, 40);
+	for (k = 0; k < STARTS; ++k) {
+		cn_vec2 v = fixture_velocity(world, bodies[k]).linear_mps;
+		held += fixture_pose(world, bodies[k]).position_m.x < 0.5f || fabs(hypot((double)v.x, (double)v.y) - (double)speed) > SOLVED * (double)speed;
+	}
+	cn_world_destroy(world);
+	return held;
+}
+
+static void pairs_that_do_not_collide_pass(void)
+{
+	static const uint32_t flags[] = { CN_SHAPE_PRE_SOLVE, CN_SHAPE_ONE_WAY };
+	static const char *const names[] = { "pre-solve returns 0", "one-way, from below" };
+	uint32_t random = 29;
+	int32_t f, wall, mover;
+	size_t s;
+	for (f = 0; f < 2; ++f) {
+		int32_t held = 0, flown = 0;
+		for (wall = WALL_EDGE; wall <= WALL_BOX; ++wall)
+			for (mover = 0; mover < MOVER_ROD; ++mover)
+				for (s = 0; s < SPEEDS; ++s) {
+					held += held_by_wall(mover, wall, speeds_mps[s], flags[f], &random);
+					flown += STARTS;
+				}
+		printf("  %s: %d of %d held by the wall\n", names[f], held, flown);
+		CHECK(held == 0);
+	}
+}
+
 /* ---- what is slow is left alone ---- */
 
 static uint64_t resting_scene_hash(int32_t continuous)
@@ -465,6 +518,7 @@ int main(int argc, char **argv)
 	RUN(near_miss_is_not_deflected);
 	RUN(turning_rod_does_not_pass_a_post);
 	RUN(what_turns_out_of_a_wall_falls_on);
+	RUN(pairs_that_do_not_collide_pass);
 	RUN(resting_scene_is_the_same_without);
 	return test_end();
 }
