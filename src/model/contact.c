@@ -364,7 +364,8 @@ static float approach_now(const cn_world *world, const cni_contact *c, const cni
 	return cni_max(-cni_dot(n, cni_sub(at_b, at_a)), 0.0f);
 }
 
-int32_t cni_contact_needs_extra(const cn_world *world, const cni_contact *c)
+/* May it have rolling resistance, or a conveyor? */
+static int32_t may_need_extra(const cn_world *world, const cni_contact *c)
 {
 	int32_t side;
 	for (side = 0; side < 2; ++side) {
@@ -379,7 +380,7 @@ int32_t cni_contact_begin(cn_world *world, int32_t contact, const cni_manifold *
 {
 	cni_contact *c = cni_contact_at(world, contact);
 	float approach;
-	if (!cni_lane_reserve(world, world->touching_count + 1) || !cni_island_reserve(world, 1) || (cni_contact_needs_extra(world, c) && !cni_lane_reserve_extra(world)))
+	if (!cni_lane_reserve(world, world->touching_count + 1) || !cni_island_reserve(world, 1) || (may_need_extra(world, c) && !cni_lane_reserve_extra(world)))
 		return 0;
 	++world->touching_count;
 	approach = approach_now(world, c, manifold);

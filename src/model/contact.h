@@ -182,6 +182,8 @@ typedef struct cni_sleep_lane {
 	float extra[CNI_SLEEP_EXTRA_ROWS]; /* the first rows of cni_block_extra */
 	int32_t contact;
 } cni_sleep_lane;
+/* Has it a conveyor or rolling resistance, of its shapes or of the user's callback? Then it needs extra rows when it wakes. */
+static inline int32_t cni_sleep_lane_needs_extra(const cni_sleep_lane *s) { return s->extra[0] != 0.0f || s->extra[1] > 0.0f; }
 
 /* Without events the bits of their contacts are 0, so that the compiler drops what they lead to. */
 enum {
@@ -267,8 +269,6 @@ int32_t cni_lane_reserve(cn_world *world, int32_t lanes);
 int32_t cni_blocks_are_few(const cn_world *world);
 /* Reserves extra rows for every block; 0: no memory. */
 int32_t cni_lane_reserve_extra(cn_world *world);
-/* Has a touching contact rolling resistance, or a conveyor? */
-int32_t cni_contact_needs_extra(const cn_world *world, const cni_contact *c);
 /* Logs a contact's deferred event if there is memory now. In a step. */
 void cni_contact_send_deferred_events(cn_world *world, int32_t contact, uint32_t owed, int32_t kind);
 /* Sets whether a sensor pair overlaps, and logs the change. 0: no memory for the log; nothing changes. */

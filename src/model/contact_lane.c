@@ -434,7 +434,7 @@ static void sleep_to_extra(const cn_world *world, const cni_contact *c, const cn
 		return;
 	for (row = 0; row < CNI_SLEEP_EXTRA_ROWS; ++row)
 		rows[row * CNI_LANES + c->slot % CNI_LANES] = s->extra[row];
-	if (s->extra[0] != 0.0f || s->extra[1] > 0.0f) /* a conveyor, rolling resistance */
+	if (cni_sleep_lane_needs_extra(s))
 		cni_block_info_at(world, c->slot / CNI_LANES)->flags |= CNI_BLOCK_EXTRA;
 }
 

@@ -112,7 +112,7 @@ void cni_file_world(cn_world *world, cni_file *f);
 const cni_record *cni_file_kind(int32_t k);
 /* Blocks with extra rows: all, where some contact needs them, else none, as in most worlds. */
 int32_t cni_file_extra_count(const cn_world *world);
-/* Has some touching contact, awake or asleep, extra rows? */
+/* Has some sleeper a conveyor or rolling resistance? Of those awake blocks have a flag: cni_file_extra_count. */
 int32_t cni_file_needs_extra(const cn_world *world);
 /* The k-th array of the world's state; NULL: there are no more. */
 cni_array *cni_file_array(cn_world *world, int32_t k);

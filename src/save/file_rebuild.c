@@ -390,8 +390,8 @@ static void contact_set_static(cn_world *world, cni_contact *c)
 int32_t cni_file_needs_extra(const cn_world *world)
 {
 	int32_t k;
-	for (k = 0; k < world->contact_used; ++k)
-		if ((cni_contact_at(world, k)->flags & CNI_CONTACT_TOUCHING) && cni_contact_needs_extra(world, cni_contact_at(world, k)))
+	for (k = 0; k < world->sleep_lanes.count; ++k)
+		if (cni_sleep_lane_needs_extra((const cni_sleep_lane *)world->sleep_lanes.data + k))
 			return 1;
 	return 0;
 }

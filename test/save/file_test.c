@@ -166,8 +166,17 @@ static void t_handles_names_and_data_are_kept(void)
 	cn_world_destroy(read);
 }
 
-/* A ball with rolling resistance sleeps in the save and in the file, and is struck after it. */
-static void t_rows_of_sleepers_come_back(void)
+static void mix_rough(cn_world *world, cn_shape a, cn_shape b, cn_material *mixed, void *user)
+{
+	(void)world;
+	(void)a;
+	(void)b;
+	(void)user;
+	mixed->rolling_resistance = 0.1f;
+}
+
+/* A ball with rolling resistance, its own or of the user's mix, sleeps in the save and in the file, and is struck after it. */
+static void rows_of_a_sleeper_come_back(int32_t mixed)
 {
 	cn_world *worlds[3] = { fixture_world(-10.0f, 1), fixture_world(-10.0f, 1), NULL };
 	cn_body ball = (fixture_floor(worlds[0], 0.6f, 0.0f), fixture_circle(worlds[0], CN_BODY_DYNAMIC, 0.0f, 0.5f, 0.5f, 0.6f, 0.0f));
@@ -175,8 +184,9 @@ static void t_rows_of_sleepers_come_back(void)
 	saved s, f;
 	int32_t k;
 	must(cn_shape_get_material(worlds[0], fixture_first_shape(worlds[0], ball), &rough), worlds[0], "cn_shape_get_material");
-	rough.rolling_resistance = 0.1f;
+	rough.rolling_resistance = mixed ? 0.0f : 0.1f;
 	must(cn_shape_set_material(worlds[0], fixture_first_shape(worlds[0], ball), &rough), worlds[0], "cn_shape_set_material");
+	must(cn_world_set_material_mix_callback(worlds[0], mixed ? mix_rough : NULL, NULL), worlds[0], "callback");
 	fixture_step(worlds[0], 120);
 	CHECK(!fixture_is_awake(worlds[0], ball));
 	s = save_world(worlds[0]);
@@ -193,6 +203,12 @@ static void t_rows_of_sleepers_come_back(void)
 		cn_world_destroy(worlds[k]);
 	saved_free(&s);
 	saved_free(&f);
+}
+
+static void t_rows_of_sleepers_come_back(void)
+{
+	rows_of_a_sleeper_come_back(0);
+	rows_of_a_sleeper_come_back(1);
 }
 
 /* Forces, kicks, pending events, owed time, boxes that have changed: all that calls have left for the next step. */
