@@ -424,6 +424,8 @@ static void extra_to_sleep(const cn_world *world, const cni_contact *c, cni_slee
 	int32_t row;
 	for (row = 0; row < CNI_SLEEP_EXTRA_ROWS; ++row)
 		s->extra[row] = rows != NULL ? rows[row * CNI_LANES + c->slot % CNI_LANES] : 0.0f;
+	if (!cni_sleep_lane_needs_extra(s))
+		memset(s->extra, 0, sizeof s->extra);
 }
 
 static void sleep_to_extra(const cn_world *world, const cni_contact *c, const cni_sleep_lane *s)

@@ -41,6 +41,7 @@ static int32_t block_take(cn_world *world, int32_t color)
 		block = world->block_used++;
 	CNI_ASSERT(block < cni_table_capacity(&world->blocks_hot));
 	memset(cni_block_at(world, block), 0, sizeof(cni_contact_block));
+	memset(cni_block_anchor_at(world, block), 0, sizeof(cni_block_anchor));
 	if (cni_block_extra_at(world, block) != NULL)
 		memset(cni_block_extra_at(world, block), 0, sizeof(cni_block_extra));
 	info = cni_block_info_at(world, block);
@@ -107,15 +108,6 @@ static void color_mark(cni_body *a, cni_body *b, int32_t color, int32_t on)
 	}
 }
 
-/* Removes the anchor; gap and approach speed become 0. */
-static void anchor_clear(cn_world *world, int32_t slot)
-{
-	cni_block_anchor *anchor = cni_block_anchor_at(world, slot / CNI_LANES);
-	cni_block_info *info = cni_block_info_at(world, slot / CNI_LANES);
-	info->anchored = (uint16_t)(info->anchored & ~(1u << slot % CNI_LANES));
-	anchor->of.fresh.gap[slot % CNI_LANES] = anchor->of.fresh.approach[slot % CNI_LANES] = 0.0f;
-}
-
 int32_t cni_blocks_are_few(const cn_world *world)
 {
 	int32_t color, count = 0;
@@ -126,8 +118,12 @@ int32_t cni_blocks_are_few(const cn_world *world)
 
 void cni_lane_invalidate(cn_world *world, int32_t slot)
 {
-	if (cni_block_info_at(world, slot / CNI_LANES)->anchored >> slot % CNI_LANES & 1u)
-		anchor_clear(world, slot);
+	cni_block_anchor *anchor = cni_block_anchor_at(world, slot / CNI_LANES);
+	cni_block_info *info = cni_block_info_at(world, slot / CNI_LANES);
+	if (!(info->anchored >> slot % CNI_LANES & 1u))
+		return;
+	info->anchored = (uint16_t)(info->anchored & ~(1u << slot % CNI_LANES));
+	anchor->of.fresh.gap[slot % CNI_LANES] = anchor->of.fresh.approach[slot % CNI_LANES] = 0.0f;
 }
 
 void cni_lane_set_bodies(cn_world *world, const cni_contact *c)
@@ -149,7 +145,6 @@ static void slot_take(cn_world *world, int32_t contact, int32_t color)
 	++group->lanes;
 	cni_contact_at(world, contact)->slot = slot;
 	cni_block_info_at(world, block)->contact[lane] = contact;
-	anchor_clear(world, slot);
 }
 
 void cni_lane_take(cn_world *world, int32_t contact)
@@ -225,18 +220,16 @@ static uint32_t bit_take(cni_lane_bits *bits, int32_t slot)
 	return bit;
 }
 
-/* Moves the anchor, and clears the source's bits. */
+/* Moves the anchor, and clears the source. */
 static void anchor_move(cn_world *world, int32_t from, int32_t to)
 {
 	cni_block_info *source_info = cni_block_info_at(world, from / CNI_LANES), *target_info = cni_block_info_at(world, to / CNI_LANES);
-	const float *source = (const float *)(const void *)cni_block_anchor_at(world, from / CNI_LANES) + from % CNI_LANES;
+	float *source = (float *)(void *)cni_block_anchor_at(world, from / CNI_LANES) + from % CNI_LANES;
 	float *target = (float *)(void *)cni_block_anchor_at(world, to / CNI_LANES) + to % CNI_LANES;
 	uint32_t l = (uint32_t)to % CNI_LANES, moves = from != to, anchored = source_info->anchored >> from % CNI_LANES & 1u & moves;
 	uint32_t of_b = bit_take(&source_info->of_b, from) & moves, face = bit_take(&source_info->face, from) & moves;
 	uint32_t points_of_b = bit_take(&source_info->points_of_b, from) & moves;
-	int32_t row;
-	for (row = 0; row < CNI_ANCHOR_ROWS; ++row)
-		memcpy(target + row * CNI_LANES, source + row * CNI_LANES, sizeof(float));
+	column_move(source, target, CNI_ANCHOR_ROWS);
 	source_info->anchored = (uint16_t)cni_bits_with(source_info->anchored, (uint32_t)from % CNI_LANES, 0);
 	target_info->anchored = (uint16_t)cni_bits_with(target_info->anchored, l, anchored);
 	target_info->of_b = (cni_lane_bits)cni_bits_with(target_info->of_b, l, of_b);

@@ -20,7 +20,7 @@ void cni_lane_take_asleep(cn_world *world, int32_t contact);
 void cni_lane_free(cn_world *world, int32_t contact);
 /* Marks that the slot's contact began to touch in this step. */
 void cni_lane_set_fresh(cn_world *world, int32_t slot);
-/* Removes the anchor of the slot's lane. */
+/* Removes the anchor of the slot's lane; gap and approach speed become 0. */
 void cni_lane_invalidate(cn_world *world, int32_t slot);
 /* Sets the lane's body indices from the bodies. */
 void cni_lane_set_bodies(cn_world *world, const cni_contact *c);

@@ -27,6 +27,7 @@ enum {
 	CNI_FIELD_BYTE,
 	CNI_FIELD_HALF,    /* 16 bits */
 	CNI_FIELD_WORD,    /* 32 bits of any meaning */
+	CNI_FIELD_DRIVE,   /* flags of a cni_external, without the colours of joints: lanes that are kept do not set them again */
 	CNI_FIELD_FLOAT,   /* finite */
 	CNI_FIELD_BIT,     /* int32: 0 or 1 */
 	CNI_FIELD_COUNT,   /* int32: 0 .. 2^30 */

@@ -242,6 +242,7 @@ static int32_t value_is_good(const cni_file *f, uint32_t kind, uint64_t value)
 	case CNI_FIELD_BYTE:
 	case CNI_FIELD_HALF:
 	case CNI_FIELD_WORD:
+	case CNI_FIELD_DRIVE:
 	case CNI_FIELD_LONG: return 1;
 	case CNI_FIELD_FLOAT: return (word & 0x7F800000u) != 0x7F800000u;
 	case CNI_FIELD_BIT: return word <= 1u;
@@ -265,7 +266,7 @@ static void field_pass(cni_file *f, const cni_field *field, uint8_t *item)
 			}
 			field_store(item, value, bytes);
 		} else {
-			bytes_put(f, field_load(item, bytes), bytes);
+			bytes_put(f, field_load(item, bytes) & (field->kind == CNI_FIELD_DRIVE ? (1u << CNI_EXTERNAL_COLOR_SHIFT) - 1u : UINT64_MAX), bytes);
 		}
 	}
 }

@@ -73,7 +73,7 @@ static const cni_field motion_fields[] = {
 #define O(member, kind) FIELD(cni_velocity_start, member, kind)
 static const cni_field start_fields[] = { O(vx, WORD), O(vy, WORD), O(w, WORD), O(jumped, WORD) };
 #define E(member, kind) FIELD(cni_external, member, kind)
-static const cni_field external_fields[] = { E(ax, WORD), E(ay, WORD), E(alpha, WORD), E(flags, WORD) };
+static const cni_field external_fields[] = { E(ax, WORD), E(ay, WORD), E(alpha, WORD), E(flags, DRIVE) };
 #define P(member, kind) FIELD(cni_previous, member, kind)
 static const cni_field previous_fields[] = { P(x, FLOAT), P(y, FLOAT), P(c, FLOAT), P(s, FLOAT), P(body, WORD), P(step, WORD) };
 static const cni_field body_index_fields[] = { { 0, 1, CNI_FIELD_BODY } };
