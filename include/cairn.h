@@ -1074,7 +1074,8 @@ typedef struct cn_sensor_event {
 	uint32_t reserved;    /* 0 */
 } cn_sensor_event;
 /* The sensor events of the last step, in a deterministic order; every ENTER gets a LEAVE as for contact events; a chain
-   has one of each for all its edges. Sensors detect non-sensor shapes of dynamic and kinematic bodies by exact overlap. */
+   has one of each for all its edges. Sensors detect non-sensor shapes of dynamic and kinematic bodies by exact overlap: a chain
+   is a line with two sides here, which meets no edges or chains. A pair without an awake body reports nothing until one wakes. */
 CN_API cn_result cn_world_sensor_events(const cn_world *world, const cn_sensor_event **out_events, int32_t *out_count);
 
 /* The body's contacts as events of kind STAY (touching) or CREATED (not touching), without those of sensors: see

@@ -1235,7 +1235,8 @@ public:
 
 	/// The sensor events of the last step, in a deterministic order; every ENTER gets a LEAVE as for contact
 	/// events; a chain has one of each for all its edges. Sensors detect non-sensor shapes of dynamic and
-	/// kinematic bodies by exact overlap.
+	/// kinematic bodies by exact overlap: a chain is a line with two sides here, which meets no edges or chains.
+	/// A pair without an awake body reports nothing until one wakes.
 	Result<Slice<const cn_sensor_event>> sensor_events() const
 	{
 		const cn_sensor_event *data = nullptr;

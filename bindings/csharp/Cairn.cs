@@ -2475,7 +2475,8 @@ namespace Cairn
 
 		/// <summary>The sensor events of the last step, in a deterministic order; every ENTER gets a LEAVE as for contact
 		/// events; a chain has one of each for all its edges. Sensors detect non-sensor shapes of dynamic and
-		/// kinematic bodies by exact overlap.</summary>
+		/// kinematic bodies by exact overlap: a chain is a line with two sides here, which meets no edges or
+		/// chains. A pair without an awake body reports nothing until one wakes.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_sensor_events(cn_world* world, cn_sensor_event** out_events, int* out_count);
 

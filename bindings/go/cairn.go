@@ -2652,7 +2652,8 @@ func (w *World) ContactEvents(kind int32) ([]ContactEvent, error) {
 
 // SensorEvents: The sensor events of the last step, in a deterministic order; every ENTER gets a LEAVE as for
 // contact events; a chain has one of each for all its edges. Sensors detect non-sensor shapes of dynamic and
-// kinematic bodies by exact overlap.
+// kinematic bodies by exact overlap: a chain is a line with two sides here, which meets no edges or chains. A
+// pair without an awake body reports nothing until one wakes.
 func (w *World) SensorEvents() ([]SensorEvent, error) {
 	defer runtime.KeepAlive(w)
 	var data *C.cn_sensor_event

@@ -1559,7 +1559,8 @@ export class World {
 	contactEvents(kind: number): ContactEvent[];
 	/** The sensor events of the last step, in a deterministic order; every ENTER gets a LEAVE as for contact
 	events; a chain has one of each for all its edges. Sensors detect non-sensor shapes of dynamic and kinematic
-	bodies by exact overlap. */
+	bodies by exact overlap: a chain is a line with two sides here, which meets no edges or chains. A pair
+	without an awake body reports nothing until one wakes. */
 	sensorEvents(): SensorEvent[];
 	/** The body's contacts as events of kind STAY (touching) or CREATED (not touching), without those of
 	sensors: see cn_shape_get_visitors. Writes at most capacity (>= 0); out may be NULL when capacity is 0.

@@ -1447,7 +1447,8 @@ cn_result cn_world_set_pre_solve_callback(cn_world *world, cn_pre_solve_fn *func
 cn_result cn_world_set_material_mix_callback(cn_world *world, cn_material_mix_fn *function, void *user);
 // The sensor events of the last step, in a deterministic order; every ENTER gets a LEAVE as for contact
 // events; a chain has one of each for all its edges. Sensors detect non-sensor shapes of dynamic and
-// kinematic bodies by exact overlap.
+// kinematic bodies by exact overlap: a chain is a line with two sides here, which meets no edges or chains. A
+// pair without an awake body reports nothing until one wakes.
 cn_result cn_world_sensor_events(const cn_world *world, const cn_sensor_event **out_events, int32_t *out_count);
 // The body's contacts as events of kind STAY (touching) or CREATED (not touching), without those of sensors:
 // see cn_shape_get_visitors. Writes at most capacity (>= 0); out may be NULL when capacity is 0. *out_count

@@ -1993,7 +1993,8 @@ cn_world_sensor_events = _function(
     "cn_world_sensor_events",
     """The sensor events of the last step, in a deterministic order; every ENTER gets a LEAVE as for contact
     events; a chain has one of each for all its edges. Sensors detect non-sensor shapes of dynamic and
-    kinematic bodies by exact overlap.""",
+    kinematic bodies by exact overlap: a chain is a line with two sides here, which meets no edges or chains.
+    A pair without an awake body reports nothing until one wakes.""",
     cn_result, _c.POINTER(cn_world), _c.POINTER(_c.POINTER(cn_sensor_event)), _c.POINTER(_c.c_int32),
 )
 cn_body_get_contacts = _function(
@@ -3877,7 +3878,8 @@ class World:
     def sensor_events(self):
         """The sensor events of the last step, in a deterministic order; every ENTER gets a LEAVE as for contact
         events; a chain has one of each for all its edges. Sensors detect non-sensor shapes of dynamic and
-        kinematic bodies by exact overlap."""
+        kinematic bodies by exact overlap: a chain is a line with two sides here, which meets no edges or
+        chains. A pair without an awake body reports nothing until one wakes."""
         data, count = _c.POINTER(cn_sensor_event)(), _c.c_int32()
         _check(cn_world_sensor_events(self.pointer, data, count))
         return _copy(cn_sensor_event, data, count.value)

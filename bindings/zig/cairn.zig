@@ -2141,7 +2141,8 @@ pub extern fn cn_world_set_pre_solve_callback(world: *cn_world, function: ?*cons
 pub extern fn cn_world_set_material_mix_callback(world: *cn_world, function: ?*const cn_material_mix_fn, user: ?*anyopaque) cn_result;
 /// The sensor events of the last step, in a deterministic order; every ENTER gets a LEAVE as for contact
 /// events; a chain has one of each for all its edges. Sensors detect non-sensor shapes of dynamic and
-/// kinematic bodies by exact overlap.
+/// kinematic bodies by exact overlap: a chain is a line with two sides here, which meets no edges or chains.
+/// A pair without an awake body reports nothing until one wakes.
 pub extern fn cn_world_sensor_events(world: *const cn_world, out_events: *?[*]const cn_sensor_event, out_count: *i32) cn_result;
 /// The body's contacts as events of kind STAY (touching) or CREATED (not touching), without those of sensors:
 /// see cn_shape_get_visitors. Writes at most capacity (>= 0); out may be NULL when capacity is 0. *out_count

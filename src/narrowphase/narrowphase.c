@@ -18,6 +18,7 @@
  */
 #include "narrowphase/narrowphase.h"
 #include "base/cpu.h"
+#include "collision/distance.h"
 #include "collision/manifold_batch.h"
 #include "narrowphase/begun.h"
 #include "narrowphase/cull.h"
@@ -35,12 +36,22 @@ static int32_t boxes_overlap(const cn_world *world, const cni_contact *c)
 
 /* ---- sensors ---- */
 
-static int32_t sensor_update(const cni_touch *t)
+/* A chain has manifolds on its front only, but is a line with two sides here. */
+static int32_t shapes_overlap(const cni_touch *t)
 {
-	int32_t k, overlaps = 0, sensing = (t->contact->flags & CNI_CONTACT_SENSING) != 0;
+	cni_vec2 a[2], b[2];
+	int32_t k, overlaps = 0;
+	if (CNI_HAS_CHAINS && t->boxes_overlap && t->in.b->type == CN_SHAPE_CHAIN)
+		return cni_distance(cni_geometry_proxy(t->in.a, 0, a), cni_geometry_proxy(t->in.b, t->in.child_b, b), t->in.b_in_a).distance <= 0.0f;
 	for (k = 0; k < t->manifold.count; ++k)
 		overlaps |= t->manifold.points[k].separation <= 0.0f;
-	if (overlaps)
+	return overlaps;
+}
+
+static int32_t sensor_update(const cni_touch *t)
+{
+	int32_t sensing = (t->contact->flags & CNI_CONTACT_SENSING) != 0;
+	if (shapes_overlap(t))
 		return sensing ? CHANGE_NONE : CHANGE_BEGIN;
 	return sensing || !t->boxes_overlap ? CHANGE_END : CHANGE_NONE;
 }

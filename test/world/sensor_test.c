@@ -322,6 +322,55 @@ static void a_chain_enters_once(void)
 	cn_world_destroy(world);
 }
 
+/* A shape of each kind, half a metre around the origin of its body. */
+static cn_shape round_or_square(cn_world *world, const cn_shape_def *def, int32_t kind)
+{
+	static const cn_circle circle = { { 0.0f, 0.0f }, 0.5f };
+	static const cn_capsule capsule = { { -0.2f, 0.0f }, { 0.2f, 0.0f }, 0.5f };
+	cn_shape shape = 0;
+	if (kind == 0)
+		must(cn_shape_create_circle(world, def, &circle, &shape), world, "cn_shape_create_circle");
+	else if (kind == 1)
+		must(cn_shape_create_capsule(world, def, &capsule, &shape), world, "cn_shape_create_capsule");
+	else
+		shape = fixture_box_shape(world, def, 0.5f, 0.5f);
+	return shape;
+}
+
+/* Visitors of a sensor, of a shape and a chain from +x to -x or back, where the shape's centre is this high over the chain. */
+static int32_t visitors_at(float height, int32_t kind, int32_t chain_senses, float turned)
+{
+	cn_world *world = fixture_world(0.0f, 0);
+	cn_vec2 points[3] = { { 2.0f, 0.0f }, { 0.1f, 0.0f }, { -2.0f, 0.0f } };
+	cn_chain chain = { points, 3, 0 };
+	cn_shape_def def = fixture_shape_def(fixture_body(world, CN_BODY_KINEMATIC, 0.0f, 0.0f, turned), 0.6f, 0.0f);
+	cn_shape shapes[2];
+	int32_t count = -1;
+	def.flags = chain_senses ? CN_SHAPE_SENSOR : 0;
+	must(cn_shape_create_chain(world, &def, &chain, &shapes[1]), world, "cn_shape_create_chain");
+	def.flags = chain_senses ? 0 : CN_SHAPE_SENSOR;
+	def.body = fixture_body(world, CN_BODY_DYNAMIC, 0.0f, height, 0.0f);
+	shapes[0] = round_or_square(world, &def, kind);
+	fixture_step(world, 2);
+	must(cn_shape_get_visitors(world, shapes[chain_senses], NULL, 0, &count), world, "cn_shape_get_visitors");
+	cn_world_destroy(world);
+	return count;
+}
+
+/* For sensors a chain is a line: its back counts as its front does. */
+static void a_chain_has_two_sides_for_sensors(void)
+{
+	static const float heights[] = { -0.51f, -0.49f, -0.3f, 0.0f, 0.3f, 0.49f, 0.51f };
+	int32_t kind, senses, turned, k, right = 0;
+	for (kind = 0; kind < 3; ++kind)
+		for (senses = 0; senses < 2; ++senses)
+			for (turned = 0; turned < 2; ++turned)
+				for (k = 0; k < 7; ++k)
+					right += visitors_at(heights[k], kind, senses, 3.1415927f * (float)turned) == (k > 0 && k < 6);
+	printf("  %d of 84 places seen as overlap or not\n", right);
+	CHECK(right == 84);
+}
+
 static void order_is_deterministic(void)
 {
 	static book first, second;
@@ -581,6 +630,7 @@ int main(int argc, char **argv)
 	RUN(masks_of_visitors_do_not_matter);
 	RUN(sleeping_is_not_leaving);
 	RUN(a_chain_enters_once);
+	RUN(a_chain_has_two_sides_for_sensors);
 	RUN(order_is_deterministic);
 	RUN(body_jumps_through_and_lands);
 	RUN(fall_from_above_stays);

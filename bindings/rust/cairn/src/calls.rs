@@ -1045,7 +1045,8 @@ impl World {
 
     /// The sensor events of the last step, in a deterministic order; every ENTER gets a LEAVE as for contact
     /// events; a chain has one of each for all its edges. Sensors detect non-sensor shapes of dynamic and
-    /// kinematic bodies by exact overlap.
+    /// kinematic bodies by exact overlap: a chain is a line with two sides here, which meets no edges or
+    /// chains. A pair without an awake body reports nothing until one wakes.
     pub fn sensor_events(&self) -> Result<&[SensorEvent]> {
         let (mut data, mut count) = (core::ptr::null(), 0);
         check(unsafe { cairn_sys::cn_world_sensor_events(self.pointer(), &mut data, &mut count) })?;
