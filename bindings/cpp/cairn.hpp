@@ -1246,7 +1246,9 @@ public:
 	}
 
 	/// The body's contacts as events of kind STAY (touching) or CREATED (not touching), without those of
-	/// sensors: see cn_shape_get_visitors. Writes at most capacity (>= 0); out may be NULL when capacity is 0.
+	/// sensors: see cn_shape_get_visitors. Only events have the sums of a step; here the manifold has the
+	/// impulses of the last substep. At rest their force is that of the points times substep_count (with
+	/// CN_SOLVER_SEQUENTIAL 1) / dt_s. Writes at most capacity (>= 0); out may be NULL when capacity is 0.
 	/// *out_count is their number. O(contacts).
 	Result<std::vector<cn_contact_event>> body_get_contacts(Body body) const
 	{

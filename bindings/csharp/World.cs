@@ -584,9 +584,10 @@ namespace Cairn
 		public float ApproachSpeedMps;
 		/// <summary>geometry at the step's beginning, impulses at its end; points only for ENTER, STAY and HIT</summary>
 		public Manifold Manifold;
-		/// <summary>Impulses of the whole step, all substeps and points together, for ENTER, STAY and HIT; else 0. In the
-		/// substeps of a predicted contact that its shapes do not reach in this step, they are 0 too. along
-		/// manifold.normal, on body b; its mean force is normal_impulse_Ns / dt_s</summary>
+		/// <summary>Impulses of the whole step, all substeps and points together, in ENTER, STAY and HIT of
+		/// cn_world_contact_events; else 0, as in cn_body_get_contacts. In the substeps of a predicted contact that
+		/// its shapes do not reach in this step, they are 0 too. along manifold.normal, on body b; its mean force
+		/// is normal_impulse_Ns / dt_s</summary>
 		public float NormalImpulseNs;
 		/// <summary>along (normal.y, -normal.x), on body b</summary>
 		public float FrictionImpulseNs;
@@ -2725,8 +2726,10 @@ namespace Cairn
 		}
 
 		/// <summary>The body's contacts as events of kind STAY (touching) or CREATED (not touching), without those of
-		/// sensors: see cn_shape_get_visitors. Writes at most capacity (&gt;= 0); out may be NULL when capacity is
-		/// 0. *out_count is their number. O(contacts).</summary>
+		/// sensors: see cn_shape_get_visitors. Only events have the sums of a step; here the manifold has the
+		/// impulses of the last substep. At rest their force is that of the points times substep_count (with
+		/// CN_SOLVER_SEQUENTIAL 1) / dt_s. Writes at most capacity (&gt;= 0); out may be NULL when capacity is 0.
+		/// *out_count is their number. O(contacts).</summary>
 		public ContactEvent[] BodyGetContacts(Body body)
 		{
 			int count_;

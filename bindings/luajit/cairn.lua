@@ -602,7 +602,7 @@ typedef struct cn_contact_event {
 	int32_t kind; // CN_EVENT_*
 	float approach_speed_mps; // ENTER: closing speed along the normal before the impact; HIT: of the blow; else 0
 	cn_manifold manifold; // geometry at the step's beginning, impulses at its end; points only for ENTER, STAY and HIT
-	float normal_impulse_Ns; // Impulses of the whole step, all substeps and points together, for ENTER, STAY and HIT; else 0. In the substeps of a predicted contact that its shapes do not reach in this step, they are 0 too. along manifold.normal, on body b; its mean force is normal_impulse_Ns / dt_s
+	float normal_impulse_Ns; // Impulses of the whole step, all substeps and points together, in ENTER, STAY and HIT of cn_world_contact_events; else 0, as in cn_body_get_contacts. In the substeps of a predicted contact that its shapes do not reach in this step, they are 0 too. along manifold.normal, on body b; its mean force is normal_impulse_Ns / dt_s
 	float friction_impulse_Ns; // along (normal.y, -normal.x), on body b
 	cn_vec2 hit_point_m; // HIT: where, in the world; else (0, 0)
 	uint32_t material_a; // cn_material.user_id of the shapes; 0 for CREATED, LEAVE and DESTROYED
@@ -1451,8 +1451,10 @@ cn_result cn_world_set_material_mix_callback(cn_world *world, cn_material_mix_fn
 // pair without an awake body reports nothing until one wakes.
 cn_result cn_world_sensor_events(const cn_world *world, const cn_sensor_event **out_events, int32_t *out_count);
 // The body's contacts as events of kind STAY (touching) or CREATED (not touching), without those of sensors:
-// see cn_shape_get_visitors. Writes at most capacity (>= 0); out may be NULL when capacity is 0. *out_count
-// is their number. O(contacts).
+// see cn_shape_get_visitors. Only events have the sums of a step; here the manifold has the impulses of the
+// last substep. At rest their force is that of the points times substep_count (with CN_SOLVER_SEQUENTIAL 1) /
+// dt_s. Writes at most capacity (>= 0); out may be NULL when capacity is 0. *out_count is their number.
+// O(contacts).
 cn_result cn_body_get_contacts(const cn_world *world, cn_body body, cn_contact_event *out, int32_t capacity, int32_t *out_count);
 // The shape's contacts, a chain with all its edges; out, capacity, *out_count and kinds as in
 // cn_body_get_contacts. O(contacts of its body).

@@ -595,7 +595,7 @@ class cn_contact_event(_c.Structure):
         ("kind", _c.c_int32),  # CN_EVENT_*
         ("approach_speed_mps", _c.c_float),  # ENTER: closing speed along the normal before the impact; HIT: of the blow; else 0
         ("manifold", cn_manifold),  # geometry at the step's beginning, impulses at its end; points only for ENTER, STAY and HIT
-        ("normal_impulse_Ns", _c.c_float),  # Impulses of the whole step, all substeps and points together, for ENTER, STAY and HIT; else 0. In the substeps of a predicted contact that its shapes do not reach in this step, they are 0 too. along manifold.normal, on body b; its mean force is normal_impulse_Ns / dt_s
+        ("normal_impulse_Ns", _c.c_float),  # Impulses of the whole step, all substeps and points together, in ENTER, STAY and HIT of cn_world_contact_events; else 0, as in cn_body_get_contacts. In the substeps of a predicted contact that its shapes do not reach in this step, they are 0 too. along manifold.normal, on body b; its mean force is normal_impulse_Ns / dt_s
         ("friction_impulse_Ns", _c.c_float),  # along (normal.y, -normal.x), on body b
         ("hit_point_m", cn_vec2),  # HIT: where, in the world; else (0, 0)
         ("material_a", _c.c_uint32),  # cn_material.user_id of the shapes; 0 for CREATED, LEAVE and DESTROYED
@@ -2000,8 +2000,10 @@ cn_world_sensor_events = _function(
 cn_body_get_contacts = _function(
     "cn_body_get_contacts",
     """The body's contacts as events of kind STAY (touching) or CREATED (not touching), without those of sensors:
-    see cn_shape_get_visitors. Writes at most capacity (>= 0); out may be NULL when capacity is 0. *out_count
-    is their number. O(contacts).""",
+    see cn_shape_get_visitors. Only events have the sums of a step; here the manifold has the impulses of the
+    last substep. At rest their force is that of the points times substep_count (with CN_SOLVER_SEQUENTIAL 1)
+    / dt_s. Writes at most capacity (>= 0); out may be NULL when capacity is 0. *out_count is their number.
+    O(contacts).""",
     cn_result, _c.POINTER(cn_world), cn_body, _c.POINTER(cn_contact_event), _c.c_int32, _c.POINTER(_c.c_int32),
 )
 cn_shape_get_contacts = _function(
@@ -3886,8 +3888,10 @@ class World:
 
     def body_get_contacts(self, body):
         """The body's contacts as events of kind STAY (touching) or CREATED (not touching), without those of
-        sensors: see cn_shape_get_visitors. Writes at most capacity (>= 0); out may be NULL when capacity is
-        0. *out_count is their number. O(contacts)."""
+        sensors: see cn_shape_get_visitors. Only events have the sums of a step; here the manifold has the
+        impulses of the last substep. At rest their force is that of the points times substep_count (with
+        CN_SOLVER_SEQUENTIAL 1) / dt_s. Writes at most capacity (>= 0); out may be NULL when capacity is 0.
+        *out_count is their number. O(contacts)."""
         count = _c.c_int32()
         _check(cn_body_get_contacts(self.pointer, body, None, 0, count))
         out = (cn_contact_event * count.value)()

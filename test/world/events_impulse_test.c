@@ -154,6 +154,33 @@ static void a_stack_at_rest_reports_its_weight(void)
 	cn_world_destroy(world);
 }
 
+/* What is asked between steps has the last substep's impulses, and no sums. */
+static void contacts_at_rest_have_the_force_of_a_substep(void)
+{
+	static const int32_t solvers[] = { CN_SOLVER_AUTO, CN_SOLVER_SOFT, CN_SOLVER_DIRECT, CN_SOLVER_SEQUENTIAL };
+	double worst = 0.0, sums = 0.0;
+	int32_t s, k, count = 0;
+	for (s = 0; s < 4; ++s) {
+		cn_world *world = fixture_world(-10.0f, 0);
+		cn_contact_event e;
+		double impulse = 0.0, substeps = solvers[s] == CN_SOLVER_SEQUENTIAL ? 1.0 : 4.0;
+		cn_body box;
+		must(cn_world_set_solver(world, solvers[s]), world, "cn_world_set_solver");
+		fixture_floor(world, 0.6f, 0.0f);
+		box = fixture_box(world, CN_BODY_DYNAMIC, 0.0f, 0.5f, 0.0f, 0.5f, 0.5f, 0.6f, 0.0f);
+		fixture_step(world, 200);
+		must(cn_body_get_contacts(world, box, &e, 1, &count), world, "cn_body_get_contacts");
+		CHECK(count == 1 && e.kind == CN_EVENT_STAY);
+		for (k = 0; k < e.manifold.point_count; ++k)
+			impulse += (double)e.manifold.points[k].normal_impulse_Ns;
+		worst = greater(worst, fabs(impulse * substeps / (10.0 / 60.0) - 1.0));
+		sums = greater(sums, fabs((double)e.normal_impulse_Ns) + fabs((double)e.friction_impulse_Ns));
+		cn_world_destroy(world);
+	}
+	CHECK_LE("force of the points / weight - 1", worst, 10.0 * SOLVED, "");
+	CHECK_LE("sums", sums, 0.0, "Ns");
+}
+
 /* A drop reports the impulse that stops it, or turns it around, in ENTER and the STAY after it. */
 static void a_drop_reports_what_stops_it(void)
 {
@@ -323,6 +350,7 @@ int main(int argc, char **argv)
 	test_begin(argc, argv);
 	RUN(impulses_account_for_momentum);
 	RUN(a_stack_at_rest_reports_its_weight);
+	RUN(contacts_at_rest_have_the_force_of_a_substep);
 	RUN(a_drop_reports_what_stops_it);
 	RUN(a_tipping_box_hits_within_its_touch);
 	RUN(hits_are_reported_from_the_hit_speed_on);

@@ -830,9 +830,10 @@ pub struct cn_contact_event {
     pub approach_speed_mps: f32,
     /// geometry at the step's beginning, impulses at its end; points only for ENTER, STAY and HIT
     pub manifold: cn_manifold,
-    /// Impulses of the whole step, all substeps and points together, for ENTER, STAY and HIT; else 0. In the
-    /// substeps of a predicted contact that its shapes do not reach in this step, they are 0 too. along
-    /// manifold.normal, on body b; its mean force is normal_impulse_Ns / dt_s
+    /// Impulses of the whole step, all substeps and points together, in ENTER, STAY and HIT of
+    /// cn_world_contact_events; else 0, as in cn_body_get_contacts. In the substeps of a predicted contact
+    /// that its shapes do not reach in this step, they are 0 too. along manifold.normal, on body b; its mean
+    /// force is normal_impulse_Ns / dt_s
     pub normal_impulse_Ns: f32,
     /// along (normal.y, -normal.x), on body b
     pub friction_impulse_Ns: f32,
@@ -2123,8 +2124,10 @@ extern "C" {
     /// chains. A pair without an awake body reports nothing until one wakes.
     pub fn cn_world_sensor_events(world: *const cn_world, out_events: *mut *const cn_sensor_event, out_count: *mut i32) -> cn_result;
     /// The body's contacts as events of kind STAY (touching) or CREATED (not touching), without those of
-    /// sensors: see cn_shape_get_visitors. Writes at most capacity (>= 0); out may be NULL when capacity is
-    /// 0. *out_count is their number. O(contacts).
+    /// sensors: see cn_shape_get_visitors. Only events have the sums of a step; here the manifold has the
+    /// impulses of the last substep. At rest their force is that of the points times substep_count (with
+    /// CN_SOLVER_SEQUENTIAL 1) / dt_s. Writes at most capacity (>= 0); out may be NULL when capacity is 0.
+    /// *out_count is their number. O(contacts).
     pub fn cn_body_get_contacts(world: *const cn_world, body: cn_body, out: *mut cn_contact_event, capacity: i32, out_count: *mut i32) -> cn_result;
     /// The shape's contacts, a chain with all its edges; out, capacity, *out_count and kinds as in
     /// cn_body_get_contacts. O(contacts of its body).

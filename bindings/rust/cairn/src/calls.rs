@@ -1054,8 +1054,10 @@ impl World {
     }
 
     /// The body's contacts as events of kind STAY (touching) or CREATED (not touching), without those of
-    /// sensors: see cn_shape_get_visitors. Writes at most capacity (>= 0); out may be NULL when capacity is
-    /// 0. *out_count is their number. O(contacts).
+    /// sensors: see cn_shape_get_visitors. Only events have the sums of a step; here the manifold has the
+    /// impulses of the last substep. At rest their force is that of the points times substep_count (with
+    /// CN_SOLVER_SEQUENTIAL 1) / dt_s. Writes at most capacity (>= 0); out may be NULL when capacity is 0.
+    /// *out_count is their number. O(contacts).
     pub fn body_get_contacts(&self, body: Body) -> Result<Vec<ContactEvent>> {
         let mut count = 0;
         check(unsafe { cairn_sys::cn_body_get_contacts(self.pointer(), body, core::ptr::null_mut(), 0, &mut count) })?;
