@@ -244,7 +244,7 @@ void cni_body_init(cn_world *world, int32_t body, const cn_body_def *def);
 cn_result cni_body_reserve(cn_world *world, int32_t extra);
 
 /* Adds a non-static, enabled body to the dense arrays or removes it (and updates references to the body that fills its place). Contacts
-   and islands are untouched: cni_island_wake and _sleep do everything. */
+   and islands are untouched: cni_body_wake and cni_body_put_to_sleep do everything. */
 void cni_body_enter_awake(cn_world *world, int32_t body);
 void cni_body_leave_awake(cn_world *world, int32_t body);
 
