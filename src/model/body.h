@@ -220,6 +220,8 @@ static inline void cni_body_forget_room(cni_body *b)
 /* Turning by a small angle moves the shapes by at most this times the angle: the rounding radius around their points turns in place. 0
    for a wheel. */
 static inline float cni_body_turn_reach(const cni_body *b) { return b->extent * ((float)b->turn_reach * CNI_TURN_REACH_UNIT); }
+/* Do extent and turn reach span a shape? Of chains and static bodies they are not asked. */
+int32_t cni_body_spans(const cn_world *world, const cni_body *b, int32_t shape);
 /* What a step's displacement takes from the room: the shapes move by at most this, rounding errors included. */
 static inline float cni_body_reach(const cni_body *b, float dpx, float dpy, float theta)
 {

@@ -49,6 +49,13 @@ static float shape_turn_reach(const cni_body *b, const cni_geometry *g)
 	return cni_sqrt(most_sq);
 }
 
+int32_t cni_body_spans(const cn_world *world, const cni_body *b, int32_t shape)
+{
+	const cni_geometry *g = cni_shape_geometry(&world->blocks, cni_shape_at(world, shape));
+	float rounding = 1e-5f * b->extent, turn_reach = cni_is_chain(g->type) ? 0.0f : shape_turn_reach(b, g);
+	return b->type == CN_BODY_STATIC || (turn_reach <= cni_body_turn_reach(b) + rounding && turn_reach + g->radius <= b->extent + rounding);
+}
+
 /* Rounds up, after subtracting the rounding error of a centre of mass; CNI_BODY_ROUNDING is larger. */
 static uint8_t turn_reach_pack(float turn_reach, float extent)
 {

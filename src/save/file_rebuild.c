@@ -57,6 +57,15 @@ static void geometry_pass(cni_file *f, cni_geometry *g)
 		float_pass(f, vectors + k);
 }
 
+/* Without it a body's extent would not span the shape after its mass changes. */
+static int32_t extent_spans_points(const cni_geometry *g)
+{
+	int32_t k, good = 1;
+	for (k = 0; k < g->count; ++k)
+		good &= cni_length(cni_geometry_points(g)[k]) + g->radius <= (1.0f + 1e-5f) * g->extent;
+	return good;
+}
+
 static void geometry_read(cn_world *world, cni_file *f, cni_shape *s)
 {
 	uint32_t count = cni_file_word(f, 0), seams = cni_file_word(f, 0);
@@ -78,7 +87,7 @@ static void geometry_read(cn_world *world, cni_file *f, cni_shape *s)
 	g->count = (int32_t)count;
 	g->seams = seams;
 	geometry_pass(f, g);
-	if (g->radius < 0.0f || g->extent < 0.0f || g->inner_radius < 0.0f)
+	if (g->radius < 0.0f || g->inner_radius < 0.0f || !extent_spans_points(g))
 		cni_file_fail(f, CN_ERROR_FORMAT);
 	s->box.proxy = CNI_NONE;
 	if (s->type == CN_SHAPE_CHAIN)

@@ -36,8 +36,6 @@ static int32_t body_alive(const cn_world *world, int32_t body)
 static void check_room(report *r, const cni_body *b, const cni_shape *s, int32_t child, int32_t proxy)
 {
 	cni_aabb tight;
-	if (b->room == 0)
-		return;
 	tight = cni_box_fatten(cni_geometry_aabb(cni_shape_geometry(&r->world->blocks, s), child, cni_body_transform(b)), cni_body_room(b));
 	expect(r, cni_aabb_contains(&cni_proxy_at(r->world, proxy)->fat, &tight), "room of body", s->body);
 	if (!(b->flags & CNI_BODY_AHEAD))
@@ -65,6 +63,7 @@ static void check_shapes_of(report *r, int32_t body)
 		const cni_shape *s = cni_shape_at(world, shape);
 		expect(r, cni_handles_alive(&world->shape_handles, shape) && s->body == body, "shape list of body", body);
 		expect(r, before == CNI_NONE || (s->prev == before && shape != b->shape_first), "shape list of body", body);
+		expect(r, cni_body_spans(world, b, shape), "extent of body", body);
 		++r->shapes;
 		for (child = 0; child < cni_shape_children(&world->blocks, s) && r->what == NULL; ++child) {
 			int32_t proxy = cni_shape_proxy(world, s, child);

@@ -138,6 +138,59 @@ static void world_use(cn_world *world)
 	(void)cn_world_step(world, FRAME_S);
 }
 
+/* The records of a chunk, and their bytes and number. */
+static uint8_t *records_of(const saved *f, const char *tag, uint32_t *stride, int32_t *count)
+{
+	uint8_t *at = (uint8_t *)f->data + HEADER;
+	while (memcmp(at, tag, 4) != 0)
+		at += 16 + cni_file_get(at + 4, 4) * cni_file_get(at + 8, 8);
+	*stride = (uint32_t)cni_file_get(at + 4, 4);
+	*count = (int32_t)cni_file_get(at + 8, 8);
+	return at + 16;
+}
+
+/* Is the file refused with this word changed? */
+static int32_t refused_with(saved *f, uint8_t *place, uint64_t word)
+{
+	uint64_t was = cni_file_get(place, 4);
+	int32_t refused;
+	cni_file_put(place, word, 4);
+	checksum_fit(f);
+	refused = is_refused(f);
+	cni_file_put(place, was, 4);
+	return refused;
+}
+
+/* A body's extent and turn reach must span its shapes, and boxes contain them: later steps trust both without looking again. */
+static void t_bodies_smaller_than_their_shapes_are_refused(void)
+{
+	saved f = zoo_file();
+	uint32_t stride;
+	int32_t bodies, proxies, k, tried[3] = { 0, 0, 0 }, refused[3] = { 0, 0, 0 };
+	uint8_t *at = records_of(&f, "BODY", &stride, &bodies);
+	for (k = 0; k < bodies; ++k, at += stride) {
+		uint64_t kinds = cni_file_get(at + 44, 4); /* type, turn reach, room */
+		if ((kinds & 0xFFu) == CN_BODY_STATIC)
+			continue;
+		++tried[0];
+		refused[0] += refused_with(&f, at + 32, 0x3C23D70Au); /* extent: 0.01 */
+		if ((kinds & 0xFF00u) == 0)
+			continue; /* a wheel */
+		++tried[1];
+		refused[1] += refused_with(&f, at + 44, kinds & ~(uint64_t)0xFF00u);
+	}
+	at = records_of(&f, "PROX", &stride, &proxies);
+	for (k = 0; k < proxies; ++k, at += stride)
+		if (cni_file_get(at + 36, 4) & CNI_PROXY_ALIVE) {
+			++tried[2];
+			refused[2] += refused_with(&f, at + 8, cni_file_get(at, 4)); /* no width */
+		}
+	printf("  refused: %d of %d small extents, %d of %d turn reaches, %d of %d boxes\n", (int)refused[0], (int)tried[0], (int)refused[1], (int)tried[1], (int)refused[2], (int)tried[2]);
+	for (k = 0; k < 3; ++k)
+		CHECK(tried[k] > 0 && refused[k] == tried[k]);
+	saved_free(&f);
+}
+
 #ifdef TEST_SLOW
 #define MUTATIONS 800
 #else
@@ -271,6 +324,7 @@ int main(int argc, char **argv)
 	test_begin(argc, argv);
 	RUN(t_every_shortened_file_is_refused);
 	RUN(t_every_changed_byte_is_refused);
+	RUN(t_bodies_smaller_than_their_shapes_are_refused);
 	RUN(t_forged_files_do_no_harm);
 	RUN(t_later_versions_may_add_chunks_and_fields);
 	RUN(t_arguments_are_checked);
