@@ -2,7 +2,7 @@
  * base/table.c - owns the growth of cni_table (pages that never move) and cni_array (one piece that moves when it grows).
  * The caller passes the cni_memory, so that neither stores a pointer to it.
  *
- * Invariant of both: capacity only grows, and a failed reserve leaves every item where it was.
+ * Invariant of both: capacity only grows, and a failed reserve changes no item and no capacity.
  */
 #include "base/table.h"
 
@@ -29,12 +29,16 @@ static uint64_t table_page_bytes(const cni_table *table)
 	return (uint64_t)table->item_bytes << table->page_shift;
 }
 
+/* Frees the pages from this one on. */
+static void table_cut(cni_table *table, cni_memory *memory, int32_t page_count)
+{
+	while (table->page_count > page_count)
+		cni_memory_free(memory, table->pages[--table->page_count], table_page_bytes(table));
+}
+
 void cni_table_deinit(cni_table *table, cni_memory *memory)
 {
-	int32_t i;
-
-	for (i = 0; i < table->page_count; ++i)
-		cni_memory_free(memory, table->pages[i], table_page_bytes(table));
+	table_cut(table, memory, 0);
 	cni_memory_free(memory, table->pages, (uint64_t)table->page_capacity * sizeof *table->pages);
 	cni_table_init(table, table->item_bytes, table->page_shift);
 }
@@ -62,6 +66,7 @@ int32_t cni_table_grow(cni_table *table, cni_memory *memory, int32_t count)
 {
 	int64_t page_count = table_pages_for(table, count);
 	uint64_t page_bytes = table_page_bytes(table);
+	int32_t before = table->page_count, i;
 
 	if (page_count << table->page_shift > INT32_MAX || page_count > TABLE_PAGES_MAX)
 		return 0;
@@ -70,11 +75,14 @@ int32_t cni_table_grow(cni_table *table, cni_memory *memory, int32_t count)
 	while (table->page_count < page_count) {
 		uint8_t *page = (uint8_t *)cni_memory_alloc(memory, page_bytes);
 
-		if (page == NULL)
+		if (page == NULL) {
+			table_cut(table, memory, before);
 			return 0;
-		memset(page, 0, (size_t)page_bytes);
+		}
 		table->pages[table->page_count++] = page;
 	}
+	for (i = before; i < page_count; ++i)
+		memset(table->pages[i], 0, (size_t)page_bytes);
 	return 1;
 }
 

@@ -33,7 +33,7 @@ static inline int32_t cni_table_capacity(const cni_table *table)
 	return table->page_count << table->page_shift;
 }
 
-/* Makes room for items 0 .. count-1; 0 if there is no memory (items reserved before stay). New items are zeroed. */
+/* Makes room for items 0 .. count-1; 0 if there is no memory, and nothing changes. New items are zeroed. */
 static inline int32_t cni_table_reserve(cni_table *table, cni_memory *memory, int32_t count)
 {
 	return count <= cni_table_capacity(table) || cni_table_grow(table, memory, count);

@@ -6,7 +6,8 @@
  *
  * Invariants: the blocks of a colour are full except for the last; unused lanes are all zero, so that they read and write the
  * dummy body and compute nothing; a body's colour bit is set exactly when one of its lanes has that colour (colour 31, overflow,
- * sets no bit).
+ * sets no bit); extra rows exist for no block or for all that contacts may take, so that contacts without them never wait for memory
+ * of others.
  */
 #include "model/lane.h"
 #include "base/bitset.h"
@@ -23,11 +24,11 @@ int32_t cni_lane_reserve(cn_world *world, int32_t lanes)
 {
 	/* Full blocks, and at worst one partial block for each colour. */
 	int32_t blocks = lanes / CNI_LANES + (CNI_LANES == 1 ? 0 : cni_min_i(lanes, CNI_COLORS));
-	return cni_table_reserve(&world->blocks_hot, &world->memory, blocks) &&
+	return (cni_table_capacity(&world->blocks_extra) == 0 || cni_table_reserve(&world->blocks_extra, &world->memory, blocks)) &&
+	       cni_table_reserve(&world->blocks_hot, &world->memory, blocks) &&
 	       cni_table_reserve(&world->blocks_info, &world->memory, blocks) &&
 	       cni_table_reserve(&world->blocks_anchor, &world->memory, blocks) &&
-	       cni_array_reserve(&world->block_list, &world->memory, blocks) &&
-	       (cni_table_capacity(&world->blocks_extra) == 0 || cni_lane_reserve_extra(world));
+	       cni_array_reserve(&world->block_list, &world->memory, blocks);
 }
 
 static int32_t block_take(cn_world *world, int32_t color)

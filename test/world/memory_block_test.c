@@ -570,6 +570,44 @@ static void contacts_beyond_capacity_are_counted(void)
 	CHECK_LE("bytes written outside of the block", block_close(&block), 0, "bytes");
 }
 
+/* One rolling box without memory for the extra rows of its contacts, with room for some of their pages: nine other boxes stand as they would. */
+static void extra_rows_without_memory_cost_no_other_contact(void)
+{
+	cn_world_def def = fixed_def(40, 40, 2000, 0);
+	uint64_t needed, left;
+	int32_t k, fallen = 0, refused = 0;
+	def.event_capacity = def.vertex_capacity = 4;
+	def.reserve = CN_RESERVE_NAMES | CN_RESERVE_CHAINS | CN_RESERVE_MOVED;
+	must(cn_world_bytes_needed(&def, &needed), NULL, "cn_world_bytes_needed");
+	for (left = 0; left <= 24000; left += 3000) {
+		fixed_block block = block_open(needed + left);
+		cn_world *world = NULL;
+		cn_body boxes[10];
+		cn_shape rolling;
+		cn_material material;
+		int32_t count;
+		def.memory = block.memory;
+		def.memory_bytes = block.bytes;
+		must(cn_world_create(&def, &world), NULL, "cn_world_create");
+		fixture_floor(world, 0.6f, 0.0f);
+		for (k = 0; k < 10; ++k)
+			boxes[k] = fixture_box(world, CN_BODY_DYNAMIC, 2.0f * (float)k - 10.0f, k == 0 ? 0.5f : 2.0f, 0.0f, 0.5f, 0.5f, 0.6f, 0.0f);
+		must(cn_body_get_shapes(world, boxes[0], &rolling, 1, &count), world, "cn_body_get_shapes");
+		must(cn_shape_get_material(world, rolling, &material), world, "cn_shape_get_material");
+		material.rolling_resistance = 0.1f;
+		must(cn_shape_set_material(world, rolling, &material), world, "cn_shape_set_material");
+		fixture_step(world, 1);
+		refused += (fixture_counters(world).warnings & CN_WARNING_CONTACT_MEMORY) != 0;
+		fixture_step(world, 119);
+		for (k = 1; k < 10; ++k)
+			fallen += fixture_pose(world, boxes[k]).position_m.y < 0.4f;
+		cn_world_destroy(world);
+		CHECK_LE("bytes written outside of the block", block_close(&block), 0, "bytes");
+	}
+	CHECK_GE("worlds that refuse the rolling contact", refused, 9, "");
+	CHECK_LE("boxes that fell through the floor", fallen, 0, "");
+}
+
 #define REFUSED_BODIES 1100 /* enough that workers share the search */
 #define WANTED_FIRST 500
 #define WANTED 20
@@ -659,6 +697,7 @@ int main(int argc, char **argv)
 	RUN(lean_blocks_keep_motion_and_ends);
 	RUN(small_blocks_are_refused);
 	RUN(contacts_beyond_capacity_are_counted);
+	RUN(extra_rows_without_memory_cost_no_other_contact);
 	RUN(refused_pairs_take_no_room);
 	return test_end();
 }
