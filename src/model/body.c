@@ -220,15 +220,21 @@ void cni_body_refresh_boxes(cn_world *world, int32_t body)
 	}
 }
 
+/* The list has room for as many destroyed bodies as there are living ones. Beyond, and without memory, the boxes are stretched now, by a step
+   whose length is likely. */
 void cni_body_kick(cn_world *world, int32_t body)
 {
 	cni_array *kicked = &world->kicked;
-	cn_body handle = cni_handles_of(&world->body_handles, body);
-	cni_vec2 v = cni_body_velocity(world, cni_body_at(world, body)).linear_mps;
-	if ((v.x == 0.0f && v.y == 0.0f) || (kicked->count > 0 && ((const cn_body *)kicked->data)[kicked->count - 1] == handle))
+	cni_body *b = cni_body_at(world, body);
+	cni_vec2 v = cni_body_velocity(world, b).linear_mps;
+	if ((v.x == 0.0f && v.y == 0.0f) || (b->flags & CNI_BODY_KICKED))
 		return;
-	if (kicked->count < 2 * world->movable_count && cni_array_reserve(kicked, &world->memory, kicked->count + 1))
-		((cn_body *)kicked->data)[kicked->count++] = handle;
+	if (kicked->count < 2 * world->body_handles.count && cni_array_reserve(kicked, &world->memory, kicked->count + 1)) {
+		((cn_body *)kicked->data)[kicked->count++] = cni_handles_of(&world->body_handles, body);
+		b->flags |= CNI_BODY_KICKED;
+	} else if (b->awake != 0) {
+		(void)cni_body_boxes_set(world, b, cni_mul(cni_max(world->step_dt, world->fixed_step), v), world);
+	}
 }
 
 /* A way of less than half of the margin needs no stretched box. */

@@ -29,6 +29,7 @@
 
 /* Internal bits of cni_body.flags, above the public CN_BODY_ ones. */
 enum {
+	CNI_BODY_KICKED = 1u << 13,        /* is in cn_world.kicked */
 	CNI_BODY_MIXED = 1u << 14,         /* its contacts with static bodies are not all at the front of its list: it has had many */
 	CNI_BODY_IN_AREA = 1u << 15,       /* an area gave its acceleration in the last step */
 	CNI_BODY_MASS_OVERRIDE = 1u << 16, /* mass data was set by the user */

@@ -97,7 +97,7 @@ struct cn_world {
 	int32_t step_island_count;   /* count of island numbers, within a step */
 	int32_t masses_estimated;    /* bodies of the list below */
 	cn_body estimated[CNI_ESTIMATED_MOST]; /* whose mass is a sum to which shapes were added: cni_body_shapes_changed */
-	cni_array kicked;            /* cn_body whose velocity was set since the last step */
+	cni_array kicked;            /* cn_body whose velocity was set since the last step: CNI_BODY_KICKED */
 
 	/* variable time: empty until cn_world_update is used */
 	cni_array previous;          /* cni_previous by body slot */

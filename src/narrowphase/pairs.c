@@ -32,7 +32,10 @@ static void kicked_extend_boxes(cn_world *world, float dt)
 	for (k = 0; k < world->kicked.count; ++k) {
 		int32_t body = cni_handles_find(&world->body_handles, ((const cn_body *)world->kicked.data)[k]);
 		cni_body *b = body == CNI_NONE ? NULL : cni_body_at(world, body);
-		if (b != NULL && b->awake != 0)
+		if (b == NULL)
+			continue;
+		b->flags &= ~(uint32_t)CNI_BODY_KICKED;
+		if (b->awake != 0)
 			(void)cni_body_boxes_set(world, b, cni_mul(dt, cni_body_velocity(world, b).linear_mps), world);
 	}
 	world->kicked.count = 0;

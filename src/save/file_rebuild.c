@@ -241,10 +241,15 @@ void cni_file_pieces(cn_world *world, cni_file *f)
 
 static void bodies_count(cn_world *world)
 {
-	int32_t k;
+	int32_t k, body;
 	world->awake_count = world->awake_id.count;
-	for (k = cni_handles_next(&world->body_handles, 0); k != CNI_NONE; k = cni_handles_next(&world->body_handles, k + 1))
+	for (k = cni_handles_next(&world->body_handles, 0); k != CNI_NONE; k = cni_handles_next(&world->body_handles, k + 1)) {
 		world->movable_count += cni_body_at(world, k)->type != CN_BODY_STATIC;
+		cni_body_at(world, k)->flags &= ~(uint32_t)CNI_BODY_KICKED;
+	}
+	for (k = 0; k < world->kicked.count; ++k)
+		if ((body = cni_handles_find(&world->body_handles, ((const cn_body *)world->kicked.data)[k])) != CNI_NONE)
+			cni_body_at(world, body)->flags |= CNI_BODY_KICKED;
 	for (k = cni_handles_next(&world->joint_handles, 0); k != CNI_NONE; k = cni_handles_next(&world->joint_handles, k + 1))
 		world->constraint_count += cni_joint_is_constraint(cni_joint_at(world, k)->type);
 }

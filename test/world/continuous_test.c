@@ -497,6 +497,43 @@ static uint64_t resting_scene_hash(int32_t continuous)
 	return hash;
 }
 
+/* Speed, after one step, of a ball that is shot at 300 m/s at a dynamic board 2 m away: no contact exists unless the ball's box covers its
+   way. Before that, the user sets the velocity of other balls `calls` times, or creates and destroys as many moving ones. */
+static float speed_after_board(int32_t calls, int32_t destroy)
+{
+	cn_world *world = fixture_world(0.0f, 1);
+	cn_body ball[3];
+	float speed;
+	int32_t k;
+	for (k = 0; k < 3; ++k)
+		ball[k] = fixture_circle(world, CN_BODY_DYNAMIC, 0.0f, 5.0f * (float)k, 0.1f, 0.0f, 0.0f);
+	fixture_box(world, CN_BODY_DYNAMIC, 2.0f, 10.0f, 0.0f, 0.05f, 2.0f, 0.0f, 0.0f);
+	fixture_step(world, 3);
+	for (k = 0; k < calls; ++k) {
+		cn_body other = destroy ? fixture_circle(world, CN_BODY_DYNAMIC, 0.0f, -9.0f, 0.1f, 0.0f, 0.0f) : ball[k % 2];
+		must(cn_body_set_velocity(world, other, 0.1f * (float)(k + 1), 0.0f, 0.0f), world, "cn_body_set_velocity");
+		if (destroy)
+			must(cn_body_destroy(world, other), world, "cn_body_destroy");
+	}
+	must(cn_body_set_velocity(world, ball[2], 300.0f, 0.0f, 0.0f), world, "cn_body_set_velocity");
+	CHECK(fixture_is_valid(world));
+	fixture_step(world, 1);
+	CHECK(fixture_is_valid(world));
+	speed = fixture_velocity(world, ball[2]).linear_mps.x;
+	cn_world_destroy(world);
+	return speed;
+}
+
+static void other_calls_do_not_let_a_body_pass(void)
+{
+	static const int32_t calls[] = { 0, 8, 9, 16, 300 };
+	float fastest = 0.0f;
+	int32_t k;
+	for (k = 0; k < 10; ++k)
+		fastest = fmaxf(fastest, speed_after_board(calls[k % 5], k >= 5));
+	CHECK_LE("fastest ball behind the board", (double)fastest, 30.0, "m/s");
+}
+
 static void resting_scene_is_the_same_without(void)
 {
 	uint64_t on = resting_scene_hash(1), off = resting_scene_hash(0);
@@ -519,6 +556,7 @@ int main(int argc, char **argv)
 	RUN(turning_rod_does_not_pass_a_post);
 	RUN(what_turns_out_of_a_wall_falls_on);
 	RUN(pairs_that_do_not_collide_pass);
+	RUN(other_calls_do_not_let_a_body_pass);
 	RUN(resting_scene_is_the_same_without);
 	return test_end();
 }

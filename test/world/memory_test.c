@@ -62,6 +62,34 @@ static void world_survives_one_failed_allocation(void) { fail_at_every_number(0)
 static void world_survives_five_steps_without_memory(void) { fail_at_every_number(5); }
 static void world_survives_forty_steps_without_memory(void) { fail_at_every_number(40); }
 
+/* ------------------------------------------------------------------ a kick without memory to remember it */
+
+static void a_fast_body_hits_without_memory(void)
+{
+	session_hooks hooks;
+	cn_world_def def;
+	cn_world *world = NULL;
+	cn_body ball;
+	memset(&hooks, 0, sizeof hooks);
+	cn_world_def_init(&def);
+	def.gravity_mps2.y = 0.0f;
+	def.alloc = session_alloc;
+	def.free = session_free;
+	def.allocator_user = &hooks;
+	def.contact_capacity = 16;
+	must(cn_world_create(&def, &world), NULL, "cn_world_create");
+	ball = fixture_circle(world, CN_BODY_DYNAMIC, 0.0f, 0.0f, 0.1f, 0.0f, 0.0f);
+	fixture_box(world, CN_BODY_DYNAMIC, 2.0f, 0.0f, 0.0f, 0.05f, 2.0f, 0.0f, 0.0f);
+	fixture_step(world, 3);
+	hooks.fail_first = hooks.calls + 1;
+	hooks.fail_last = hooks.calls + 2; /* with spare room, and without */
+	must(cn_body_set_velocity(world, ball, 300.0f, 0.0f, 0.0f), world, "cn_body_set_velocity");
+	CHECK(hooks.failed == 2);
+	fixture_step(world, 1);
+	CHECK_LE("speed behind the board", (double)fixture_velocity(world, ball).linear_mps.x, 30.0, "m/s");
+	cn_world_destroy(world);
+}
+
 /* ------------------------------------------------------------------ a locked axis without memory for its rows */
 
 /* A ball stuck between two steep walls is locked along x and pushed down when there is no memory any more. Its mass along
@@ -288,6 +316,7 @@ static void budgets_hold(void)
 int main(int argc, char **argv)
 {
 	test_begin(argc, argv);
+	RUN(a_fast_body_hits_without_memory);
 	RUN(a_locked_body_stays_slow_without_memory);
 	RUN(world_survives_one_failed_allocation);
 	RUN(world_survives_five_steps_without_memory);
