@@ -38,9 +38,9 @@ static int32_t class_fitting(uint64_t bytes)
 	return class_index;
 }
 
-static uint64_t class_bytes(int32_t class_index)
+static uint32_t class_bytes(int32_t class_index)
 {
-	return (uint64_t)class_units[class_index] * CNI_BLOCK_UNIT;
+	return class_units[class_index] * CNI_BLOCK_UNIT;
 }
 
 uint64_t cni_blocks_rounded(uint64_t bytes)
@@ -56,11 +56,13 @@ void cni_blocks_init(cni_blocks *blocks, cni_memory *memory)
 
 /* ------------------------------------------------------------------ chunk tables */
 
+static int32_t table_rounded(int32_t capacity) { return (capacity + 7) & ~7; }
+
 /* An empty table with room for this many chunks; 0: no memory. */
 static int32_t table_make(cni_blocks *blocks, cni_chunks *out, int32_t capacity)
 {
 	memset(out, 0, sizeof *out);
-	out->capacity = (capacity + 7) & ~7;
+	out->capacity = table_rounded(capacity);
 	if (capacity == 0)
 		return 1;
 	out->bytes = (uint64_t *)cni_memory_alloc(blocks->memory, (uint64_t)out->capacity * CHUNK_SLOT_BYTES);
@@ -95,12 +97,12 @@ void cni_blocks_deinit(cni_blocks *blocks)
 	cni_blocks_init(blocks, blocks->memory);
 }
 
-static int32_t table_grow(cni_blocks *blocks)
+static int32_t table_grow(cni_blocks *blocks, int32_t capacity)
 {
 	cni_chunks *old = &blocks->chunks, grown;
 	size_t count = (size_t)old->count;
 
-	if (!table_make(blocks, &grown, old->capacity + old->capacity / 2 + 1))
+	if (!table_make(blocks, &grown, capacity))
 		return 0;
 	if (count > 0) {
 		memcpy(grown.bytes, old->bytes, count * sizeof *grown.bytes);
@@ -119,7 +121,7 @@ static int32_t slot_reserve(cni_blocks *blocks)
 		return 1;
 	if (blocks->chunks.count == CHUNK_INDEX_COUNT)
 		return 0;
-	return blocks->chunks.count < blocks->chunks.capacity || table_grow(blocks);
+	return blocks->chunks.count < blocks->chunks.capacity || table_grow(blocks, blocks->chunks.capacity + blocks->chunks.capacity / 2 + 1);
 }
 
 static int32_t slot_take(cni_blocks *blocks, uint8_t *chunk, uint64_t bytes)
@@ -245,38 +247,36 @@ static void tail_retire(cni_blocks *blocks)
 }
 
 /* Bytes of the next chunk if count pieces of this class are still needed from it. */
-static uint64_t chunk_wanted(const cni_blocks *blocks, int32_t class_index, int32_t count)
+static uint32_t chunk_wanted(const cni_blocks *blocks, int32_t class_index, int32_t count)
 {
 	uint64_t wanted = blocks->bytes_in_chunks / 16;
-	uint64_t lacking = class_bytes(class_index) * (uint64_t)count;
+	uint64_t lacking = (uint64_t)class_bytes(class_index) * (uint64_t)count;
 
 	wanted -= wanted % CHUNK_SMALLEST_BYTES;
 	if (wanted < CHUNK_SMALLEST_BYTES)
 		wanted = CHUNK_SMALLEST_BYTES;
 	if (wanted < lacking)
 		wanted = lacking;
-	return wanted < CHUNK_LARGEST_BYTES ? wanted : CHUNK_LARGEST_BYTES;
+	return wanted < CHUNK_LARGEST_BYTES ? (uint32_t)wanted : CHUNK_LARGEST_BYTES;
 }
 
-/* Makes a new chunk the tail; it has room for at least one piece of this class. */
-static int32_t chunk_add(cni_blocks *blocks, int32_t class_index, int32_t count)
+/* Makes a new chunk of the wanted bytes the tail, or a smaller one; it has room for at least one piece of this class. */
+static int32_t chunk_add(cni_blocks *blocks, int32_t class_index, uint32_t wanted)
 {
-	uint64_t piece = class_bytes(class_index);
-	uint64_t wanted = chunk_wanted(blocks, class_index, count);
-	uint64_t taken = 0;
+	uint32_t piece = class_bytes(class_index), taken = 0;
 	uint8_t *chunk = NULL;
 
 	if (!slot_reserve(blocks))
 		return 0;
 	for (; chunk == NULL && wanted >= piece; wanted /= 2) {
-		taken = cni_memory_rounded((uint32_t)wanted / (uint32_t)piece * (uint32_t)piece); /* of 32 bits, as the largest chunk */
+		taken = (uint32_t)cni_memory_rounded(wanted / piece * piece);
 		chunk = chunk_alloc(blocks, taken);
 	}
 	if (chunk == NULL)
 		return 0;
 	tail_retire(blocks);
 	blocks->tail = (cni_ref)slot_take(blocks, chunk, taken) << 12;
-	blocks->tail_units = (uint32_t)(taken / CNI_BLOCK_UNIT);
+	blocks->tail_units = taken / CNI_BLOCK_UNIT;
 	blocks->bytes_in_chunks += taken;
 	return 1;
 }
@@ -289,7 +289,7 @@ static cni_ref class_alloc(cni_blocks *blocks, int32_t class_index)
 	if (blocks->free_head[class_index] != 0) {
 		ref = free_pop(blocks, class_index);
 	} else {
-		if (blocks->tail_units < units && !chunk_add(blocks, class_index, 1))
+		if (blocks->tail_units < units && !chunk_add(blocks, class_index, chunk_wanted(blocks, class_index, 1)))
 			return 0;
 		ref = blocks->tail;
 		blocks->tail += units;
@@ -321,29 +321,74 @@ void cni_blocks_free(cni_blocks *blocks, cni_ref ref, uint64_t bytes)
 	free_push(blocks, class_index, ref);
 }
 
+/* Frees the first pieces of the tail, the last one first, so that they are allocated in address order. */
+static void tail_carve(cni_blocks *blocks, int32_t class_index, uint32_t pieces)
+{
+	uint32_t units = class_units[class_index], i;
+
+	for (i = pieces; i-- > 0;)
+		free_push(blocks, class_index, blocks->tail + i * units);
+	blocks->tail += pieces * units;
+	blocks->tail_units -= pieces * units;
+}
+
 int32_t cni_blocks_reserve(cni_blocks *blocks, uint64_t bytes, int32_t count)
 {
 	int32_t class_index = class_fitting(bytes);
-	uint32_t units = class_units[class_index];
 
 	CNI_ASSERT(bytes > 0 && bytes <= CNI_BLOCK_LARGEST);
 	while (blocks->free_count[class_index] < count) {
 		int32_t lacking = count - blocks->free_count[class_index];
-		uint32_t pieces = blocks->tail_units / units;
-		uint32_t i;
+		uint32_t pieces = blocks->tail_units / class_units[class_index];
 
-		if (pieces == 0) {
-			if (!chunk_add(blocks, class_index, lacking))
-				return 0;
-			continue;
-		}
+		if (pieces == 0 && !chunk_add(blocks, class_index, chunk_wanted(blocks, class_index, lacking)))
+			return 0;
 		if (pieces > (uint32_t)lacking)
 			pieces = (uint32_t)lacking;
-		/* Last piece first, so that they are allocated in address order. */
-		for (i = pieces; i-- > 0;)
-			free_push(blocks, class_index, blocks->tail + i * units);
-		blocks->tail += pieces * units;
-		blocks->tail_units -= pieces * units;
+		tail_carve(blocks, class_index, pieces);
 	}
 	return 1;
+}
+
+/* ------------------------------------------------------------------ a first reserve of known size */
+
+/* The chunks of these pieces, with chunk 0, which does not exist; makes them unless blocks is NULL. *bytes: the sum, without the table.
+   0: no memory. */
+static int32_t chunks_of(const cni_pieces *pieces, int32_t kinds, cni_blocks *blocks, uint64_t *bytes)
+{
+	int32_t slots = 1, k;
+
+	for (k = 0; k < kinds; ++k) {
+		int32_t class_index = class_fitting(pieces[k].bytes), left;
+		uint32_t piece = class_bytes(class_index), most = CHUNK_LARGEST_BYTES / piece;
+
+		for (left = pieces[k].count; left > 0; left -= (int32_t)most) {
+			uint32_t count = (uint32_t)left < most ? (uint32_t)left : most;
+
+			++slots;
+			*bytes += cni_memory_rounded(count * piece);
+			if (blocks == NULL)
+				continue;
+			if (!chunk_add(blocks, class_index, count * piece) || blocks->tail_units < count * class_units[class_index])
+				return 0;
+			tail_carve(blocks, class_index, count);
+		}
+	}
+	return slots;
+}
+
+uint64_t cni_blocks_bytes_for(const cni_pieces *pieces, int32_t kinds)
+{
+	uint64_t bytes = 0;
+	int32_t slots = chunks_of(pieces, kinds, NULL, &bytes);
+
+	return bytes + cni_memory_rounded((uint64_t)table_rounded(slots) * CHUNK_SLOT_BYTES);
+}
+
+int32_t cni_blocks_reserve_exact(cni_blocks *blocks, const cni_pieces *pieces, int32_t kinds)
+{
+	uint64_t bytes = 0;
+
+	CNI_ASSERT(blocks->chunks.count == 0);
+	return table_grow(blocks, chunks_of(pieces, kinds, NULL, &bytes)) && chunks_of(pieces, kinds, blocks, &bytes) != 0;
 }

@@ -55,6 +55,16 @@ void cni_blocks_free(cni_blocks *blocks, cni_ref ref, uint64_t bytes);
 /* Carves free pieces until at least count pieces of this size are free; 0 if there is no memory.
    bytes <= CNI_BLOCK_LARGEST. */
 int32_t cni_blocks_reserve(cni_blocks *blocks, uint64_t bytes, int32_t count);
+/* Pieces of one size. */
+typedef struct cni_pieces {
+	uint64_t bytes;
+	int32_t count;
+} cni_pieces;
+
+/* Carves these pieces in blocks that are still empty, without spare room. */
+int32_t cni_blocks_reserve_exact(cni_blocks *blocks, const cni_pieces *pieces, int32_t kinds);
+/* The most memory that it takes, with the table of chunks. */
+uint64_t cni_blocks_bytes_for(const cni_pieces *pieces, int32_t kinds);
 /* The bytes that a piece of this size takes. */
 uint64_t cni_blocks_rounded(uint64_t bytes);
 

@@ -299,12 +299,24 @@ static int32_t touching_of(const cn_world_def *d) { return or_contacts(d->touchi
 static int32_t events_of(const cn_world_def *d) { return or_contacts(d->event_capacity, d); }
 static int32_t reserves(const cn_world_def *d, uint32_t what) { return (d->reserve & what) != 0; }
 
+/* Pieces of the block allocator that a fixed world reserves (see model/shape.h). */
+enum { PIECE_KINDS = 3 };
+
+static void pieces_make(const cn_world_def *d, cni_pieces out[PIECE_KINDS])
+{
+	out[0].bytes = (uint64_t)cni_geometry_bytes(CN_SHAPE_POLYGON, d->vertex_capacity);
+	out[0].count = d->shape_capacity;
+	out[1].bytes = CNI_SHAPE_IDS_BYTES;
+	out[1].count = reserves(d, CN_RESERVE_CHAINS) ? 2 * d->shape_capacity : 0;
+	out[2].bytes = CN_NAME_MAX_BYTES + 1;
+	out[2].count = reserves(d, CN_RESERVE_NAMES) ? d->body_capacity : 0;
+}
+
 static int32_t reserve_pieces(cn_world *world, const cn_world_def *d)
 {
-	cni_blocks *blocks = &world->blocks;
-	return cni_blocks_reserve(blocks, cni_shape_piece_bytes(world, CN_SHAPE_POLYGON, 3), d->shape_capacity) &&
-	       (!reserves(d, CN_RESERVE_CHAINS) || cni_blocks_reserve(blocks, CNI_SHAPE_IDS_BYTES, 2 * d->shape_capacity)) &&
-	       (!reserves(d, CN_RESERVE_NAMES) || cni_blocks_reserve(blocks, CN_NAME_MAX_BYTES + 1, d->body_capacity));
+	cni_pieces pieces[PIECE_KINDS];
+	pieces_make(d, pieces);
+	return cni_blocks_reserve_exact(&world->blocks, pieces, PIECE_KINDS);
 }
 
 static int32_t blocks_for(int32_t lanes)
@@ -412,16 +424,15 @@ static uint64_t array_bytes(int32_t count, size_t item)
 	return cni_memory_rounded((uint64_t)count * item);
 }
 
-/* Bytes of the block allocator's pieces that a fixed world reserves (see model/shape.h), and of chains of more than 32 edges: 12 bytes
-   per edge beyond that, half as much again for size classes. A kind of pieces may leave the end of a chunk unused, and there is a table
-   of chunks. */
+/* Bytes of the pieces that are reserved, and of chains of more than 32 edges: 12 bytes per edge beyond that, half as much again for size
+   classes, the least chunk, and a larger table of chunks. */
 static uint64_t pieces_bytes(const cn_world_def *d)
 {
-	uint64_t shape = cni_blocks_rounded((uint64_t)cni_geometry_bytes(CN_SHAPE_POLYGON, d->vertex_capacity));
-	uint64_t name = reserves(d, CN_RESERVE_NAMES) ? cni_blocks_rounded(CN_NAME_MAX_BYTES + 1) : 0u;
-	uint64_t chains = reserves(d, CN_RESERVE_CHAINS) ? 2u * CNI_SHAPE_IDS_BYTES + 18u : 0u;
-	uint64_t bytes = (uint64_t)d->shape_capacity * (shape + chains) + (uint64_t)d->body_capacity * name;
-	return bytes + bytes / 512u + (name + chains > 0u ? 8192u : 512u);
+	cni_pieces pieces[PIECE_KINDS];
+	uint64_t bytes;
+	pieces_make(d, pieces);
+	bytes = cni_blocks_bytes_for(pieces, PIECE_KINDS);
+	return reserves(d, CN_RESERVE_CHAINS) ? bytes + bytes / 512u + 18u * (uint64_t)d->shape_capacity + 8192u : bytes;
 }
 
 static uint64_t table_bytes(const table_of_world *of, int32_t count)
@@ -472,6 +483,7 @@ cn_result cn_world_bytes_needed(const cn_world_def *def, uint64_t *out_bytes)
 	             pieces_bytes(def) + broadphase_choice(def->broadphase)->bytes_needed(def->shape_capacity);
 	if (cni_team_possible(def->worker_count, def->enqueue))
 		*out_bytes += cni_memory_rounded(cni_team_bytes(def->worker_count));
+	*out_bytes = cni_memory_rounded(*out_bytes);
 	return CN_OK;
 }
 

@@ -183,6 +183,40 @@ static void t_reserve_makes_allocs_certain(void)
 	CHECK(h.pieces == 0 && h.wrong_frees == 0);
 }
 
+/* In a block of exactly those bytes, and with none left over but the ends of chunks. */
+static void t_exact_reserves_fit_in_their_bytes(void)
+{
+	enum { MOST = 1 << 20 };
+	static uint8_t room[MOST + 64];
+	uint8_t *block = room + (64 - (uintptr_t)room % 64);
+	int32_t i, k, failed = 0, small = 0;
+	uint32_t random = 7;
+
+	for (i = 0; i < 500; ++i) {
+		cni_pieces pieces[3];
+		cni_memory memory;
+		cni_blocks blocks;
+		uint64_t bytes;
+
+		for (k = 0; k < 3; ++k) {
+			pieces[k].bytes = 16u + random_next(&random) % 300u;
+			pieces[k].count = (int32_t)(random_next(&random) % (i % 2 ? 600u : 20u));
+		}
+		bytes = cni_blocks_bytes_for(pieces, 3);
+		cni_memory_init_block(&memory, block, bytes);
+		cni_blocks_init(&blocks, &memory);
+		failed += bytes > MOST || !cni_blocks_reserve_exact(&blocks, pieces, 3);
+		small += memory.bytes_in_use + 256 < bytes;
+		for (k = 0; k < 3; ++k)
+			for (; pieces[k].count > 0; --pieces[k].count)
+				failed += cni_blocks_alloc(&blocks, pieces[k].bytes) == 0;
+		CHECK(bytes_lost(&blocks) == 0);
+		cni_blocks_deinit(&blocks);
+	}
+	CHECK_LE("reserves and pieces that failed", failed, 0, "");
+	CHECK_LE("reserves that left more than 256 bytes", small, 0, "");
+}
+
 /* Pieces that are free already count: only what is lacking is taken out of the tail, which all classes share. */
 static void t_reserve_takes_only_what_is_lacking(void)
 {
@@ -327,6 +361,7 @@ int main(int argc, char **argv)
 	RUN(t_tail_is_carved_not_lost);
 	RUN(t_reserve_makes_allocs_certain);
 	RUN(t_reserve_takes_only_what_is_lacking);
+	RUN(t_exact_reserves_fit_in_their_bytes);
 	RUN(t_fixed_block_is_used_to_its_end);
 	RUN(t_random_life_with_failures);
 	RUN(t_out_of_memory_at_every_call);

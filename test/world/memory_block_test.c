@@ -430,6 +430,48 @@ static void every_capacity_is_kept(void)
 	CHECK_LE("blocks written outside of", written, 0, "");
 }
 
+static int32_t random_below(uint32_t *random, int32_t most)
+{
+	return (int32_t)fixture_random(random, 0.0f, (float)most);
+}
+
+/* Any definition: mostly small worlds, for which rounding and least sizes weigh most. */
+static cn_world_def random_def(uint32_t *random)
+{
+	int32_t large = random_below(random, 4) == 0;
+	cn_world_def def = fixed_def(random_below(random, large ? 300 : 50), random_below(random, large ? 1500 : 80), random_below(random, large ? 500 : 100), random_below(random, large ? 100 : 12));
+	def.broadphase = random_below(random, 2);
+	def.solver = random_below(random, 4);
+	def.reserve = random_below(random, 2) ? def.reserve : (uint32_t)random_below(random, 16);
+	def.vertex_capacity = random_below(random, 2) ? CN_POLYGON_MAX_VERTICES : 3 + random_below(random, 14);
+	def.touching_capacity = random_below(random, 2) ? CN_DEFAULT : random_below(random, 60);
+	def.event_capacity = random_below(random, 2) ? CN_DEFAULT : random_below(random, 60);
+	def.worker_count = random_below(random, 4) ? 1 : 1 + random_below(random, 4);
+	return def;
+}
+
+static void bytes_needed_make_any_world(void)
+{
+	uint32_t random = 99u;
+	int32_t round, refused = 0, loose = 0;
+	for (round = 0; round < 1000; ++round) {
+		cn_world_def def = random_def(&random);
+		cn_world *world = NULL;
+		fixed_block block;
+		must(cn_world_bytes_needed(&def, &def.memory_bytes), NULL, "cn_world_bytes_needed");
+		block = block_open(def.memory_bytes);
+		def.memory = block.memory;
+		loose += def.memory_bytes % 64 != 0;
+		if (cn_world_create(&def, &world) == CN_OK)
+			cn_world_destroy(world);
+		else
+			++refused;
+		refused += block_close(&block) != 0;
+	}
+	CHECK_LE("definitions refused with the bytes that they need", refused, 0, "");
+	CHECK_LE("needs that are no multiple of 64 bytes", loose, 0, "");
+}
+
 /* Forty boxes, every one with all events, of which ten pairs may report. */
 static cn_world_def lean_def(void)
 {
@@ -694,6 +736,7 @@ int main(int argc, char **argv)
 	RUN(slots_never_wear_out);
 	RUN(every_shape_may_take_every_size);
 	RUN(every_capacity_is_kept);
+	RUN(bytes_needed_make_any_world);
 	RUN(lean_blocks_keep_motion_and_ends);
 	RUN(small_blocks_are_refused);
 	RUN(contacts_beyond_capacity_are_counted);
