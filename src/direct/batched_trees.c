@@ -107,8 +107,8 @@ static int32_t batches_count(batch_builder *m, int32_t class_index, int32_t *blo
 	return full + 1;
 }
 
-/* Reserves the memory of all batches and selects their components. 0: there are none. */
-static int32_t batches_reserve(batch_builder *m)
+/* Reserves the memory of all batches and selects their components; without memory there are none. */
+static void batches_reserve(batch_builder *m)
 {
 	int32_t class_index, batches = 0, numbers = 0, blocks = 0;
 	for (class_index = 0; class_index < CNI_TOPOLOGY_CLASSES; ++class_index)
@@ -118,12 +118,14 @@ static int32_t batches_reserve(batch_builder *m)
 			numbers += count * numbers_of(&m->sparse->components[m->example[class_index]]);
 		}
 	if (batches == 0)
-		return 0;
+		return;
 	m->numbers = (float *)cni_arena_push(&m->world->arena, sizeof(float) * (uint64_t)numbers + sizeof(cni_tree_batch) * (uint64_t)batches);
-	if (m->numbers == NULL)
-		return 0;
+	if (m->numbers == NULL) {
+		m->world->warnings |= CN_WARNING_FRAME_MEMORY;
+		memset(m->waiting, 0, sizeof m->waiting);
+		return;
+	}
 	m->sparse->batches = (cni_tree_batch *)(void *)(m->numbers + numbers);
-	return 1;
 }
 
 static void order_by_color(cni_tree_batch *batch)
@@ -246,8 +248,7 @@ void cni_tree_batches_make(cn_world *world, const cni_solve *s, cni_sparse *spar
 	batch_builder m = { world, s, sparse, { 0.0f, 0.0f, { 0.0f, 0.0f, 1.0f } }, { 0 }, { 0 }, 0, { NULL }, NULL };
 	int32_t k, far = cni_joints_are_far(world);
 	waiting_count(&m);
-	if (!batches_reserve(&m))
-		memset(m.waiting, 0, sizeof m.waiting);
+	batches_reserve(&m);
 	for (k = 0; k < sparse->component_count; ++k) {
 		if (far && k + 1 < sparse->component_count)
 			cni_component_prefetch(world, sparse, k + 1);

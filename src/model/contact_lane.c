@@ -50,8 +50,8 @@ static void lane_write_material(cn_world *world, const cni_contact *c, cni_conta
 	info->restitution[lane] = m.restitution;
 	if (m.restitution > 0.0f)
 		info->flags |= CNI_BLOCK_RESTITUTION;
-	if (m.rolling_resistance > 0.0f || m.tangent_speed_mps != 0.0f)
-		cni_lane_reserve_extra(world); /* first conveyor of a resting contact; without memory it has none */
+	if ((m.rolling_resistance > 0.0f || m.tangent_speed_mps != 0.0f) && !cni_lane_reserve_extra(world))
+		world->warnings |= CN_WARNING_FRAME_MEMORY; /* first conveyor of a resting contact: it has none */
 	extra = cni_block_extra_at(world, c->slot / CNI_LANES);
 	if (extra == NULL)
 		return;
@@ -105,8 +105,10 @@ static void lane_write_locks(cn_world *world, const cni_contact *c, const lane_f
 	cni_block_extra *extra;
 	if (!f->locks && !(info->flags & CNI_BLOCK_EXTRA))
 		return;
-	if (f->locks && !cni_lane_reserve_extra(world))
+	if (f->locks && !cni_lane_reserve_extra(world)) {
+		world->warnings |= CN_WARNING_FRAME_MEMORY;
 		return;
+	}
 	if (f->locks)
 		info->flags |= CNI_BLOCK_EXTRA;
 	extra = cni_block_extra_at(world, c->slot / CNI_LANES);

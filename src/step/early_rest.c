@@ -310,8 +310,10 @@ void cni_rest_find(cn_world *world, const cni_solve *s)
 	r.moving = (uint8_t *)cni_arena_push(&world->arena, (uint64_t)cni_max_i(world->step_island_count, 1));
 	if (r.moving != NULL)
 		r.slow = (int32_t *)cni_arena_push(&world->arena, sizeof(int32_t) * (uint64_t)world->awake_count);
-	if (r.slow != NULL) /* else no memory: all substeps solve everything */
+	if (r.slow != NULL)
 		rest_run(&r, s);
+	else
+		world->warnings |= CN_WARNING_FRAME_MEMORY; /* all substeps solve everything */
 	(void)cni_arena_pop(&world->arena, r.slow);
 	(void)cni_arena_pop(&world->arena, r.moving);
 }
