@@ -78,22 +78,21 @@ static void edges_place(cn_world *world, int32_t shape, cni_ref ids)
 cn_result cni_shape_place(cn_world *world, int32_t shape)
 {
 	cni_shape *s = cni_shape_at(world, shape);
-	cni_ref ids;
+	cni_ref ids = 0;
 	if (shape_is_placed(s))
 		return CN_OK;
 	if (cni_proxy_reserve(world, cni_shape_children(&world->blocks, s)) != CN_OK)
 		return CN_ERROR_MEMORY;
+	if (cni_is_chain(s->type) && (ids = cni_blocks_alloc(&world->blocks, cni_shape_ids_bytes(world, cni_shape_children(&world->blocks, s)))) == 0)
+		return CN_ERROR_MEMORY;
 	cni_body_forget_room(cni_body_at(world, s->body));
-	if (!cni_is_chain(s->type)) {
-		s->box.proxy = proxy_create(world, shape, 0);
-		if (cni_body_at(world, s->body)->awake != 0)
-			cni_body_kick(world, s->body);
+	if (ids != 0) {
+		edges_place(world, shape, ids);
 		return CN_OK;
 	}
-	ids = cni_blocks_alloc(&world->blocks, cni_shape_ids_bytes(world, cni_shape_children(&world->blocks, s)));
-	if (ids == 0)
-		return CN_ERROR_MEMORY;
-	edges_place(world, shape, ids);
+	s->box.proxy = proxy_create(world, shape, 0);
+	if (cni_body_at(world, s->body)->awake != 0)
+		cni_body_kick(world, s->body);
 	return CN_OK;
 }
 

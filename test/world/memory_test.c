@@ -62,6 +62,60 @@ static void world_survives_one_failed_allocation(void) { fail_at_every_number(0)
 static void world_survives_five_steps_without_memory(void) { fail_at_every_number(5); }
 static void world_survives_forty_steps_without_memory(void) { fail_at_every_number(40); }
 
+/* ------------------------------------------------------------------ a chain without memory for its boxes */
+
+static uint8_t *written(const cn_world *world, uint64_t *bytes)
+{
+	uint8_t *file;
+	must(cn_world_write_size(world, bytes), world, "cn_world_write_size");
+	file = (uint8_t *)malloc((size_t)*bytes);
+	if (file == NULL)
+		abort();
+	must(cn_world_write(world, file, *bytes, NULL), world, "cn_world_write");
+	return file;
+}
+
+static void a_chain_that_is_refused_changes_nothing(void)
+{
+	session_hooks hooks;
+	cn_world_def def;
+	cn_world *world = NULL;
+	cn_shape_def shape;
+	cn_vec2 points[600];
+	cn_chain chain = { points, 600, 0 };
+	int32_t k, refused = 0, changed = 0;
+	cn_result result = CN_ERROR_MEMORY;
+	memset(&hooks, 0, sizeof hooks);
+	cn_world_def_init(&def);
+	def.alloc = session_alloc;
+	def.free = session_free;
+	def.allocator_user = &hooks;
+	def.shape_capacity = 1000;
+	must(cn_world_create(&def, &world), NULL, "cn_world_create");
+	shape = fixture_shape_def(fixture_box(world, CN_BODY_DYNAMIC, 0.0f, 5.0f, 0.0f, 0.5f, 0.5f, 0.6f, 0.0f), 0.6f, 0.0f);
+	fixture_step(world, 3);
+	for (k = 0; k < 600; ++k) {
+		points[k].x = -0.1f * (float)k;
+		points[k].y = 0.0f;
+	}
+	for (k = 1; result == CN_ERROR_MEMORY && k < 100; ++k) {
+		uint64_t before_bytes, after_bytes;
+		uint8_t *before = written(world, &before_bytes), *after;
+		hooks.fail_first = hooks.fail_last = hooks.calls + k;
+		result = cn_shape_create_chain(world, &shape, &chain, NULL);
+		hooks.fail_first = 0;
+		after = written(world, &after_bytes);
+		refused += result == CN_ERROR_MEMORY;
+		changed += result == CN_ERROR_MEMORY && (before_bytes != after_bytes || memcmp(before, after, (size_t)before_bytes) != 0);
+		free(before);
+		free(after);
+	}
+	CHECK(result == CN_OK);
+	CHECK_GE("calls refused", refused, 2, "");
+	CHECK_LE("... that changed the world", changed, 0, "");
+	cn_world_destroy(world);
+}
+
 /* ------------------------------------------------------------------ steps that work around missing memory say so */
 
 static void pin(cn_world *world, cn_body a, float x, float y, cn_body b)
@@ -405,6 +459,7 @@ static void budgets_hold(void)
 int main(int argc, char **argv)
 {
 	test_begin(argc, argv);
+	RUN(a_chain_that_is_refused_changes_nothing);
 	RUN(steps_that_lack_memory_say_so);
 	RUN(a_fast_body_hits_without_memory);
 	RUN(a_locked_body_stays_slow_without_memory);
