@@ -249,7 +249,8 @@ namespace Cairn
 		public float sleep_speed_mps;
 		/// <summary>... after this time, &gt;= 0; default 0.5</summary>
 		public float sleep_delay_s;
-		/// <summary>hints for a growing world, exact for a fixed one; &gt;= 0; default 0</summary>
+		/// <summary>hints for a growing world; one in a block has room for these, and for more as memory permits; &gt;= 0;
+		/// default 0</summary>
 		public int body_capacity;
 		/// <summary>counts every edge of a chain</summary>
 		public int shape_capacity;

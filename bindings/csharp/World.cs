@@ -162,7 +162,8 @@ namespace Cairn
 		public float SleepSpeedMps;
 		/// <summary>... after this time, &gt;= 0; default 0.5</summary>
 		public float SleepDelayS;
-		/// <summary>hints for a growing world, exact for a fixed one; &gt;= 0; default 0</summary>
+		/// <summary>hints for a growing world; one in a block has room for these, and for more as memory permits; &gt;= 0;
+		/// default 0</summary>
 		public int BodyCapacity;
 		/// <summary>counts every edge of a chain</summary>
 		public int ShapeCapacity;

@@ -307,7 +307,8 @@ type WorldDef struct {
 	SleepSpeedMps float32
 	// ... after this time, >= 0; default 0.5
 	SleepDelayS float32
-	// hints for a growing world, exact for a fixed one; >= 0; default 0
+	// hints for a growing world; one in a block has room for these, and for more as memory permits; >= 0;
+	// default 0
 	BodyCapacity int32
 	// counts every edge of a chain
 	ShapeCapacity int32

@@ -291,7 +291,8 @@ export interface WorldDef {
 	sleep_speed_mps: number;
 	/** ... after this time, >= 0; default 0.5 */
 	sleep_delay_s: number;
-	/** hints for a growing world, exact for a fixed one; >= 0; default 0 */
+	/** hints for a growing world; one in a block has room for these, and for more as memory permits; >= 0;
+	default 0 */
 	body_capacity: number;
 	/** counts every edge of a chain */
 	shape_capacity: number;

@@ -392,7 +392,7 @@ typedef struct cn_world_def {
 	float angular_speed_max_radps; // faster bodies are slowed to it, > 0; default 400
 	float sleep_speed_mps; // bodies slower than this may sleep, >= 0; CN_DEFAULT (default): 0.05 x length unit
 	float sleep_delay_s; // ... after this time, >= 0; default 0.5
-	int32_t body_capacity; // hints for a growing world, exact for a fixed one; >= 0; default 0
+	int32_t body_capacity; // hints for a growing world; one in a block has room for these, and for more as memory permits; >= 0; default 0
 	int32_t shape_capacity; // counts every edge of a chain
 	int32_t contact_capacity; // pairs whose fat AABBs overlap
 	int32_t joint_capacity; // counts constraints too

@@ -334,7 +334,7 @@ class cn_world_def(_c.Structure):
         ("angular_speed_max_radps", _c.c_float),  # faster bodies are slowed to it, > 0; default 400
         ("sleep_speed_mps", _c.c_float),  # bodies slower than this may sleep, >= 0; CN_DEFAULT (default): 0.05 x length unit
         ("sleep_delay_s", _c.c_float),  # ... after this time, >= 0; default 0.5
-        ("body_capacity", _c.c_int32),  # hints for a growing world, exact for a fixed one; >= 0; default 0
+        ("body_capacity", _c.c_int32),  # hints for a growing world; one in a block has room for these, and for more as memory permits; >= 0; default 0
         ("shape_capacity", _c.c_int32),  # counts every edge of a chain
         ("contact_capacity", _c.c_int32),  # pairs whose fat AABBs overlap
         ("joint_capacity", _c.c_int32),  # counts constraints too

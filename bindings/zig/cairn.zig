@@ -547,7 +547,8 @@ pub const cn_world_def = extern struct {
     sleep_speed_mps: f32,
     /// ... after this time, >= 0; default 0.5
     sleep_delay_s: f32,
-    /// hints for a growing world, exact for a fixed one; >= 0; default 0
+    /// hints for a growing world; one in a block has room for these, and for more as memory permits; >= 0;
+    /// default 0
     body_capacity: i32,
     /// counts every edge of a chain
     shape_capacity: i32,

@@ -397,7 +397,8 @@ pub struct cn_world_def {
     pub sleep_speed_mps: f32,
     /// ... after this time, >= 0; default 0.5
     pub sleep_delay_s: f32,
-    /// hints for a growing world, exact for a fixed one; >= 0; default 0
+    /// hints for a growing world; one in a block has room for these, and for more as memory permits; >= 0;
+    /// default 0
     pub body_capacity: i32,
     /// counts every edge of a chain
     pub shape_capacity: i32,
