@@ -189,13 +189,32 @@ static int32_t links_filter(const cn_world *world, cni_link *links, int32_t coun
 	return kept;
 }
 
+/* Rows of redundant joints that were solved directly have opposing impulses of any size, which only their system cancels. Soft constraints
+   begin without them where it has become too large. */
+static void impulses_forget(cn_world *world, cni_joint_constraint *w)
+{
+	cni_joint *j = cni_joint_at(world, w->joint);
+	int32_t i;
+	if (!j->trust.direct)
+		return;
+	j->trust.direct = 0;
+	memset(j->impulse, 0, sizeof j->impulse);
+	for (i = 0; i < w->row_count; ++i)
+		w->rows[i].impulse = 0.0f;
+}
+
 /* Flags the joint constraints in the plan and stores the nodes of the contacts. */
 static void owners_mark(cn_world *world, const cni_link *links, int32_t count, const uint8_t *planned, cni_sparse *out)
 {
 	int32_t k;
-	for (k = 0; k < count; ++k)
-		if (planned[k] && links[k].owner >= 0)
+	for (k = 0; k < count; ++k) {
+		if (links[k].owner < 0)
+			continue;
+		if (planned[k])
 			cni_joint_constraints(world)[links[k].owner].flags |= CNI_CONSTRAINT_DIRECT;
+		else
+			impulses_forget(world, cni_joint_constraints(world) + links[k].owner);
+	}
 	for (k = 0; k < out->node_count; ++k)
 		if (out->nodes[k].owner < 0)
 			out->contacts[-1 - out->nodes[k].owner].node = k;

@@ -42,7 +42,7 @@ static inline void cni_trust_suspend(cni_joint_trust *t, uint32_t step, int32_t 
 {
 	t->span = (uint16_t)span;
 	t->until = step + t->span;
-	t->soft = (uint16_t)soft;
+	t->soft = (uint8_t)soft;
 }
 static inline void cni_trust_fail(cni_joint_trust *t, uint32_t step, int32_t soft)
 {

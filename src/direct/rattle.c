@@ -470,7 +470,7 @@ static cni_joint_trust *trust_of(const rattle_step *g, int32_t node)
 /* Of a component: the sum of its joints' accounts, the longest span, the latest end. */
 static cni_joint_trust trust_read(const rattle_step *g)
 {
-	cni_joint_trust sum = { 0.0f, 0, 0, 0 };
+	cni_joint_trust sum = { 0.0f, 0, 0, 0, 0 };
 	uint32_t step = g->world->step_count;
 	int32_t k;
 	for (k = g->c->begin; k < g->c->end; ++k) {

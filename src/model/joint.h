@@ -23,7 +23,8 @@ typedef struct cni_joint_trust {
 	float surplus;             /* joules: this joint's share of the energy that steps have gained: direct/rattle.c */
 	uint32_t until;            /* the failed solver is not tried again before this step */
 	uint16_t span;             /* steps from the failure to that step; 0: nothing has failed */
-	uint16_t soft;             /* 1: soft until then; 0: may be solved directly, but not by RATTLE */
+	uint8_t soft;              /* 1: soft until then; 0: may be solved directly, but not by RATTLE */
+	uint8_t direct;            /* 1: its rows were solved directly in the last step */
 } cni_joint_trust;
 
 typedef struct cni_joint {

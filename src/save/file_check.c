@@ -92,7 +92,7 @@ static int32_t shape_numbers_hold(const cni_shape *s)
 
 static int32_t joint_numbers_hold(const cni_joint *j)
 {
-	return j->type < CNI_JOINT_TYPES && j->solver <= CN_SOLVER_DIRECT && j->trust.soft <= 1 && (j->awake == CNI_NONE || j->awake >= 0);
+	return j->type < CNI_JOINT_TYPES && j->solver <= CN_SOLVER_DIRECT && j->trust.soft <= 1 && j->trust.direct <= 1 && (j->awake == CNI_NONE || j->awake >= 0);
 }
 
 static int32_t records_hold(const cn_world *world)

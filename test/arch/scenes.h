@@ -25,7 +25,7 @@ static const arch_scene arch_scenes[ARCH_SCENES] = {
 	{ "sequential", scene_sequential, 0x6bc77927e99d3264 },
 	{ "queries", scene_queries, 0xc2f73fc905b99ec2 },
 	{ "events", scene_events, 0xb91fcec25bb8d701 },
-	{ "file", scene_file, 0xf5604ef08d6ec28b },
+	{ "file", scene_file, 0x47d5a5c75ef43ed2 },
 };
 
 /* The number of a scene; 0 if a call failed: arch_failed_line. */

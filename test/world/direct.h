@@ -93,6 +93,14 @@ static inline void add_chain(scene *s, cn_body first, cn_vec2 first_anchor, floa
 	}
 }
 
+static inline void weld(scene *s, cn_body a, cn_vec2 anchor_a, cn_body b, cn_vec2 anchor_b)
+{
+	cn_fixed_def def;
+	cn_fixed_def_init(&def);
+	connect(&def.base, a, anchor_a, b, anchor_b);
+	s->joints[s->joint_count++] = make_fixed(s->world, &def);
+}
+
 static inline cn_vec2 nowhere(void)
 {
 	return at(-2e6f, 0.0f);

@@ -331,14 +331,6 @@ static void hard_stops_part_no_joints(void)
 
 /* ---- contacts with light bodies that joints hold ---- */
 
-static void weld(scene *s, cn_body a, cn_vec2 anchor_a, cn_body b, cn_vec2 anchor_b)
-{
-	cn_fixed_def def;
-	cn_fixed_def_init(&def);
-	connect(&def.base, a, anchor_a, b, anchor_b);
-	s->joints[s->joint_count++] = make_fixed(s->world, &def);
-}
-
 /* A board of 1 x 0.2 m and 0.2 kg, from (x, y) on at this angle. */
 static cn_body add_board(scene *s, double x, double y, double angle)
 {
@@ -392,6 +384,8 @@ static void heavy_box_run(const char *name, float restitution, float rolling, fl
 		overlap = greater(overlap, (double)fixture_penetration(s.world, s.bodies, s.body_count));
 	}
 	CHECK_LE("greatest overlap", overlap, bound, "m");
+	if (tangent_speed != 0.0f)
+		CHECK_LE("speed by which both belts miss theirs", fabs((double)fixture_velocity(s.world, last_body(&s)).linear_mps.x / (2.0 * (double)tangent_speed) - 1.0), 0.02, "");
 	CHECK_LE("greatest distance between anchors", w.apart, 1e-3, "m");
 	CHECK_LE("energy gained", w.energy / w.energy_start - 1.0, 1e-4, "");
 	scene_close(&s);

@@ -359,6 +359,59 @@ static void light_bodies_between_heavy_ones_are_not_thrown(void)
 	CHECK_LE("... of 1:1e7", light_ones_between_heavy_ones(1e7f, &widest), 20.0, "m/s");
 }
 
+/* Joins two bodies as they are now, so that each joint contradicts the others a little. */
+static void join_here(scene *s, cn_body a, cn_body b, int32_t pins)
+{
+	cn_pose pa = fixture_pose(s->world, a), pb = fixture_pose(s->world, b);
+	float x = 0.5f * (pa.position_m.x + pb.position_m.x), y = 0.5f * (pa.position_m.y + pb.position_m.y);
+	cn_vec2 la, lb;
+	must(cn_body_get_local_point(s->world, a, x, y, &la), s->world, "cn_body_get_local_point");
+	must(cn_body_get_local_point(s->world, b, x, y, &lb), s->world, "cn_body_get_local_point");
+	if (pins) {
+		pin(s, a, la, b, lb);
+	} else {
+		cn_fixed_def def;
+		cn_fixed_def_init(&def);
+		connect(&def.base, a, la, b, lb);
+		def.reference_angle_rad = (float)atan2((double)(pa.cosine * pb.sine - pa.sine * pb.cosine), (double)(pa.cosine * pb.cosine + pa.sine * pb.sine));
+		s->joints[s->joint_count++] = make_fixed(s->world, &def);
+	}
+}
+
+/* Boxes in a row are pushed about; every two get one more joint every 0.1 s, until their system takes too much work. Returns the widest gap. */
+static double glued_boxes_open_by(int32_t joints, int32_t pins, uint32_t seed)
+{
+	scene s = scene_open(10.0, 0, CN_SOLVER_AUTO);
+	double widest = 0.0;
+	int32_t k, step;
+	fixture_floor(s.world, 0.6f, 0.0f);
+	for (k = 0; k < 4; ++k)
+		keep(&s, fixture_box(s.world, CN_BODY_DYNAMIC, 0.6f * (float)k, 0.3f, 0.0f, 0.28f, 0.28f, 0.6f, 0.0f));
+	for (step = 0; step < 240; ++step) {
+		for (k = 1; k < 4 && step % 6 == 0 && step / 6 < joints; ++k)
+			join_here(&s, s.bodies[k - 1], s.bodies[k], pins);
+		for (k = 0; k < 4 && step % 15 == 7; ++k) {
+			cn_velocity v = fixture_velocity(s.world, s.bodies[k]);
+			float vx = fixture_random(&seed, -1.0f, 1.0f), vy = fixture_random(&seed, 0.0f, 1.0f);
+			fixture_set_velocity(s.world, s.bodies[k], v.linear_mps.x + vx, v.linear_mps.y + vy, v.angular_radps);
+		}
+		fixture_step(s.world, 1);
+		widest = greater(widest, anchors_apart(&s));
+	}
+	scene_close(&s);
+	return widest;
+}
+
+static void too_many_joints_stay_closed(void)
+{
+	int32_t joints, pins;
+	double widest = 0.0;
+	for (pins = 0; pins < 2; ++pins)
+		for (joints = 4; joints <= 10; ++joints)
+			widest = greater(widest, glued_boxes_open_by(joints, pins, 7u * (uint32_t)joints));
+	CHECK_LE("widest gap with 4 to 10 welds or pins between each two boxes", widest, 0.01, "m");
+}
+
 int main(void)
 {
 	RUN(straight_bridges_are_not_thrown);
@@ -366,6 +419,7 @@ int main(void)
 	RUN(coupled_wheels_turn_on);
 	RUN(open_loops_close_calmly_when_they_lose_a_wall);
 	RUN(light_bodies_between_heavy_ones_are_not_thrown);
+	RUN(too_many_joints_stay_closed);
 	RUN(straight_bridges_rest);
 	RUN(welded_arches_bear_themselves);
 	RUN(what_is_held_beyond_a_limit_is_let_go_calmly);
