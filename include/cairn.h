@@ -298,7 +298,7 @@ typedef struct cn_world_def {
 	float push_speed_max_mps;         /* greatest speed at which the overlap of two shapes is pushed apart, and a gap of a directly solved
 	                                     joint closes (of its angles: rad/s, for each length unit), > 0; in a crowd the
 	                                     speeds of neighbours add up: n bodies made in one spot leave it at some sqrt(n) / 2
-	                                     times as much, at most;
+	                                     times as much, on the ground, which pushes them upwards, at some sqrt(n) times;
 	                                     CN_DEFAULT (default): 3 x length unit */
 	float linear_speed_max_mps;       /* faster bodies are slowed to it, > 0; CN_DEFAULT (default): 400 x length unit */
 	float angular_speed_max_radps;    /* faster bodies are slowed to it, > 0; default 400 */

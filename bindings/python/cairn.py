@@ -329,7 +329,7 @@ class cn_world_def(_c.Structure):
         ("accuracy_m", _c.c_float),  # CN_SOLVER_AUTO aims at errors below this, >= 0; CN_DEFAULT (default): 0.005 x length unit
         ("work_budget", _c.c_int32),  # limit of direct solving in a step, in factored blocks (joints, contacts and their fill), substeps included, about 10 ns each; 1 to 1e9; CN_DEFAULT (default): the limits of single islands, and with CN_SOLVER_AUTO 512 contacts of a world
         ("restitution_threshold_mps", _c.c_float),  # slower impacts do not bounce, >= 0; CN_DEFAULT (default): 1 x length unit
-        ("push_speed_max_mps", _c.c_float),  # greatest speed at which the overlap of two shapes is pushed apart, and a gap of a directly solved joint closes (of its angles: rad/s, for each length unit), > 0; in a crowd the speeds of neighbours add up: n bodies made in one spot leave it at some sqrt(n) / 2 times as much, at most; CN_DEFAULT (default): 3 x length unit
+        ("push_speed_max_mps", _c.c_float),  # greatest speed at which the overlap of two shapes is pushed apart, and a gap of a directly solved joint closes (of its angles: rad/s, for each length unit), > 0; in a crowd the speeds of neighbours add up: n bodies made in one spot leave it at some sqrt(n) / 2 times as much, on the ground, which pushes them upwards, at some sqrt(n) times; CN_DEFAULT (default): 3 x length unit
         ("linear_speed_max_mps", _c.c_float),  # faster bodies are slowed to it, > 0; CN_DEFAULT (default): 400 x length unit
         ("angular_speed_max_radps", _c.c_float),  # faster bodies are slowed to it, > 0; default 400
         ("sleep_speed_mps", _c.c_float),  # bodies slower than this may sleep, >= 0; CN_DEFAULT (default): 0.05 x length unit

@@ -536,8 +536,8 @@ pub const cn_world_def = extern struct {
     restitution_threshold_mps: f32,
     /// greatest speed at which the overlap of two shapes is pushed apart, and a gap of a directly solved
     /// joint closes (of its angles: rad/s, for each length unit), > 0; in a crowd the speeds of neighbours
-    /// add up: n bodies made in one spot leave it at some sqrt(n) / 2 times as much, at most; CN_DEFAULT
-    /// (default): 3 x length unit
+    /// add up: n bodies made in one spot leave it at some sqrt(n) / 2 times as much, on the ground, which
+    /// pushes them upwards, at some sqrt(n) times; CN_DEFAULT (default): 3 x length unit
     push_speed_max_mps: f32,
     /// faster bodies are slowed to it, > 0; CN_DEFAULT (default): 400 x length unit
     linear_speed_max_mps: f32,
