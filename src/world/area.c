@@ -42,26 +42,17 @@ static cni_area area_of_def(const cn_area_def *def, int32_t shape)
 	return a;
 }
 
-static void check_sensor(cni_call *call, const cni_shape *s)
-{
-	if (call->result != CN_OK)
-		return;
-	if (!(s->flags & CN_SHAPE_SENSOR))
-		cni_refuse(call, CN_ERROR_STATE, "the shape is no sensor");
-	else if (s->type == CN_SHAPE_EDGE || s->type == CN_SHAPE_CHAIN)
-		cni_refuse(call, CN_ERROR_STATE, "edges and chains have no inside");
-}
-
 cn_result cn_shape_set_area(cn_world *world, cn_shape shape, const cn_area_def *def)
 {
 	cni_call call = cni_enter(world, __func__);
 	const cni_shape *s = cni_check_shape(&call, "shape", shape);
 	int32_t index = cni_shape_index(world, shape);
 	cni_area area;
-	if (call.result == CN_OK && !CNI_HAS_AREAS)
-		cni_refuse(&call, CN_ERROR_STATE, "this build has no areas: CN_NO_AREAS");
-	if (call.result == CN_OK && (def != NULL || cni_area_of_shape(world, index) == NULL))
-		check_sensor(&call, s);
+	cni_check(&call, CNI_HAS_AREAS, CN_ERROR_STATE, "this build has no areas: CN_NO_AREAS");
+	if (call.result == CN_OK && (def != NULL || cni_area_of_shape(world, index) == NULL)) {
+		cni_check(&call, (s->flags & CN_SHAPE_SENSOR) != 0, CN_ERROR_STATE, "the shape is no sensor");
+		cni_check(&call, s->type != CN_SHAPE_EDGE && s->type != CN_SHAPE_CHAIN, CN_ERROR_STATE, "edges and chains have no inside");
+	}
 	if (def != NULL && call.result == CN_OK)
 		check_def(&call, def);
 	if (call.result != CN_OK)
@@ -134,8 +125,7 @@ cn_result cn_shape_apply_wind(cn_world *world, cn_shape shape, float flow_x_mps,
 	cni_check_range(&call, "drag_kgpm2", drag_kgpm2, 0.0f, COEFFICIENT_MAX);
 	cni_check_range(&call, "lift_kgpm2", lift_kgpm2, 0.0f, COEFFICIENT_MAX);
 	cni_check_range(&call, "dt_s", dt_s, 0.0f, 1.0f);
-	if (call.result == CN_OK && s->body == CNI_NONE)
-		cni_refuse(&call, CN_ERROR_STATE, "the shape is not attached");
+	cni_check(&call, s == NULL || s->body != CNI_NONE, CN_ERROR_STATE, "the shape is not attached");
 	if (call.result != CN_OK)
 		return call.result;
 	b = cni_body_at(world, s->body);

@@ -39,8 +39,7 @@ static int32_t name_bytes(const char *name)
 
 static void check_name(cni_call *call, const char *name)
 {
-	if (name_bytes(name) > CN_NAME_MAX_BYTES + 1)
-		cni_refuse(call, CN_ERROR_ARGUMENT, "name is too long; it may have at most 63 bytes");
+	cni_check(call, name_bytes(name) <= CN_NAME_MAX_BYTES + 1, CN_ERROR_ARGUMENT, "name is too long; it may have at most 63 bytes");
 }
 
 /* Bytes of a name's piece in the block allocator, 0 for no name. A fixed world reserves pieces of the greatest size. */
@@ -83,15 +82,7 @@ cn_result cn_body_set_name(cn_world *world, cn_body body, const char *name)
 	return CN_OK;
 }
 
-cn_result cn_body_get_name(const cn_world *world, cn_body body, const char **out_name)
-{
-	cni_call call = cni_enter_const(world);
-	const cni_body *b = cni_check_body(&call, "body", body);
-	cni_check_pointer(&call, "out_name", out_name);
-	if (call.result == CN_OK)
-		*out_name = b->name != 0 ? (const char *)cni_blocks_at(&world->blocks, b->name) : "";
-	return call.result;
-}
+CNI_DEFINE_GET(body, name, const char *, record->name != 0 ? (const char *)cni_blocks_at(&world->blocks, record->name) : "")
 
 /* ------------------------------------------------------------------ creating */
 

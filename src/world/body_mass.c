@@ -6,10 +6,7 @@
 
 static cn_mass_data mass_of(const cni_body *b)
 {
-	cn_mass_data m;
-	m.mass_kg = b->mass;
-	m.inertia_kgm2 = b->inertia;
-	m.center_m = b->local_center;
+	cn_mass_data m = { b->mass, b->inertia, b->local_center };
 	return m;
 }
 
@@ -20,8 +17,7 @@ cn_result cn_body_set_mass_data(cn_world *world, cn_body body, const cn_mass_dat
 	cni_call call = cni_enter(world, __func__);
 	cni_body *b = cni_check_body(&call, "body", body);
 	cni_check_pointer(&call, "mass", mass);
-	if (call.result == CN_OK && b->type != CN_BODY_DYNAMIC)
-		cni_refuse(&call, CN_ERROR_STATE, "the body is not dynamic");
+	cni_check(&call, b == NULL || b->type == CN_BODY_DYNAMIC, CN_ERROR_STATE, "the body is not dynamic");
 	if (call.result != CN_OK)
 		return call.result;
 	cni_check_range(&call, "mass_kg", mass->mass_kg, 1e-20f, 1e20f);

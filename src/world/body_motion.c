@@ -82,8 +82,7 @@ cn_result cn_body_set_velocity(cn_world *world, cn_body body, float linear_x_mps
 	cn_velocity v;
 	cni_check_finite2(&call, "linear_mps", linear_mps);
 	cni_check_finite(&call, "angular_radps", angular_radps);
-	if (call.result == CN_OK && b->type == CN_BODY_STATIC)
-		cni_refuse(&call, CN_ERROR_STATE, "the body is static");
+	cni_check(&call, b == NULL || b->type != CN_BODY_STATIC, CN_ERROR_STATE, "the body is static");
 	if (call.result != CN_OK)
 		return call.result;
 	v.linear_mps = linear_mps;
@@ -115,8 +114,7 @@ cn_result cn_body_set_target_pose(cn_world *world, cn_body body, float position_
 	cni_check_position(&call, "position_m", position_m);
 	cni_check_angle(&call, "angle_rad", angle_rad);
 	cni_check_range(&call, "dt_s", dt_s, 1e-6f, 1.0f);
-	if (call.result == CN_OK && b->type != CN_BODY_KINEMATIC)
-		cni_refuse(&call, CN_ERROR_STATE, "the body is not kinematic");
+	cni_check(&call, b == NULL || b->type == CN_BODY_KINEMATIC, CN_ERROR_STATE, "the body is not kinematic");
 	if (call.result != CN_OK)
 		return call.result;
 	v = velocity_to(b, position_m, angle_rad, dt_s);

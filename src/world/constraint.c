@@ -50,8 +50,7 @@ static cn_result constraint_create(cn_world *world, const char *function, int32_
 	constraint_head head = check_def(&call, type, def);
 	const cni_body *b = cni_check_body(&call, "body", head.body);
 	int32_t joint;
-	if (b != NULL && b->type != CN_BODY_DYNAMIC)
-		cni_refuse(&call, CN_ERROR_ARGUMENT, "body; must be dynamic");
+	cni_check(&call, b == NULL || b->type == CN_BODY_DYNAMIC, CN_ERROR_ARGUMENT, "body; must be dynamic");
 	cni_check_pointer(&call, "out_constraint", out_constraint);
 	cni_joint_reserve_one(&call, world, 0);
 	if (call.result != CN_OK)

@@ -94,8 +94,7 @@ cn_result cn_shape_get_visitors(const cn_world *world, cn_shape sensor, cn_shape
 	const cni_shape *s = cni_check_shape(&call, "sensor", sensor);
 	cni_list list = cni_list_begin(&call, out, capacity, out_count);
 	int32_t key, visitor, index = cni_shape_index(world, sensor);
-	if (call.result == CN_OK && !(s->flags & CN_SHAPE_SENSOR))
-		cni_refuse(&call, CN_ERROR_STATE, "the shape is no sensor");
+	cni_check(&call, s == NULL || (s->flags & CN_SHAPE_SENSOR), CN_ERROR_STATE, "the shape is no sensor");
 	if (call.result != CN_OK)
 		return call.result;
 	for (key = cni_contact_first_of_shape(world, index); key != CNI_NONE; key = cni_contact_next_of_shape(world, key, index)) {

@@ -51,8 +51,8 @@ static void def_check_numbers(cni_call *call, const cn_world_def *d)
 	cni_check_at_least_or_default(call, "accuracy_m", d->accuracy_m);
 	cni_check_work_budget(call, d->work_budget);
 	cni_check_at_least_or_default(call, "restitution_threshold_mps", d->restitution_threshold_mps);
-	cni_check_positive_or_default(call, "push_speed_max_mps", d->push_speed_max_mps);
-	cni_check_positive_or_default(call, "linear_speed_max_mps", d->linear_speed_max_mps);
+	cni_check_above_0_or_default(call, "push_speed_max_mps", d->push_speed_max_mps, FLT_MAX);
+	cni_check_above_0_or_default(call, "linear_speed_max_mps", d->linear_speed_max_mps, FLT_MAX);
 	cni_check_positive(call, "angular_speed_max_radps", d->angular_speed_max_radps);
 	cni_check_at_least_or_default(call, "sleep_speed_mps", d->sleep_speed_mps);
 	cni_check_at_least(call, "sleep_delay_s", d->sleep_delay_s, 0.0f);
@@ -71,12 +71,9 @@ static void def_check_memory(cni_call *call, const cn_world_def *d)
 	cni_check_range_int(call, "event_capacity", d->event_capacity, CN_DEFAULT, 16 * most);
 	cni_check_range_int(call, "vertex_capacity", d->vertex_capacity, 3, CN_POLYGON_MAX_VERTICES);
 	cni_check_flags(call, "reserve", d->reserve, CNI_RESERVE_ALL);
-	if (call->result == CN_OK && (d->alloc == NULL) != (d->free == NULL))
-		cni_refuse(call, CN_ERROR_ARGUMENT, "alloc and free; must both be set or both be NULL");
-	if (call->result == CN_OK && (d->enqueue == NULL) != (d->finish == NULL))
-		cni_refuse(call, CN_ERROR_ARGUMENT, "enqueue and finish; must both be set or both be NULL");
-	if (call->result == CN_OK && d->memory != NULL && ((uintptr_t)d->memory & (CNI_MEMORY_ALIGN - 1u)) != 0)
-		cni_refuse(call, CN_ERROR_ARGUMENT, "memory; must be aligned to 64 bytes");
+	cni_check(call, (d->alloc == NULL) == (d->free == NULL), CN_ERROR_ARGUMENT, "alloc and free; must both be set or both be NULL");
+	cni_check(call, (d->enqueue == NULL) == (d->finish == NULL), CN_ERROR_ARGUMENT, "enqueue and finish; must both be set or both be NULL");
+	cni_check(call, ((uintptr_t)d->memory & (CNI_MEMORY_ALIGN - 1u)) == 0, CN_ERROR_ARGUMENT, "memory; must be aligned to 64 bytes");
 }
 
 static void def_check(cni_call *call, const cn_world_def *d)

@@ -15,10 +15,7 @@
 
 cni_text cni_text_begin(char *out, int32_t capacity)
 {
-	cni_text text;
-	text.out = out;
-	text.capacity = capacity;
-	text.used = 0;
+	cni_text text = { out, capacity, 0 };
 	if (out != NULL && capacity > 0)
 		out[0] = '\0';
 	return text;
@@ -145,20 +142,14 @@ void cni_text_float(cni_text *text, float value)
 
 static cni_call call_begin(const cn_world *world, char *sentence, const char *function)
 {
-	cni_call call;
-	call.world = world;
-	call.sentence = sentence;
-	call.function = function;
-	call.result = world == NULL ? CN_ERROR_ARGUMENT : CN_OK;
-	call.reserved = 0;
+	cni_call call = { world, sentence, function, world == NULL ? CN_ERROR_ARGUMENT : CN_OK };
 	return call;
 }
 
 cni_call cni_enter(cn_world *world, const char *function)
 {
 	cni_call call = call_begin(world, world != NULL ? world->error : NULL, function);
-	if (world != NULL && world->locked > 0)
-		cni_refuse(&call, CN_ERROR_LOCKED, "the world is locked while a callback runs");
+	cni_check(&call, world == NULL || world->locked == 0, CN_ERROR_LOCKED, "the world is locked while a callback runs");
 	return call;
 }
 
@@ -334,12 +325,6 @@ void cni_check_at_least_or_default(cni_call *call, const char *field, float valu
 		cni_check_at_least(call, field, value, 0.0f);
 }
 
-void cni_check_positive_or_default(cni_call *call, const char *field, float value)
-{
-	if (value != (float)CN_DEFAULT)
-		cni_check_positive(call, field, value);
-}
-
 void cni_check_above_0_or_default(cni_call *call, const char *field, float value, float upper)
 {
 	if (value == (float)CN_DEFAULT)
@@ -368,8 +353,7 @@ void cni_check_range_int(cni_call *call, const char *field, int32_t value, int32
 
 void cni_check_boundary(cni_call *call, const cn_world *world)
 {
-	if (call->result == CN_OK && (world->locked > 0 || world->events.in_step))
-		cni_refuse(call, CN_ERROR_LOCKED, "not while a callback runs");
+	cni_check(call, world == NULL || (world->locked == 0 && !world->events.in_step), CN_ERROR_LOCKED, "not while a callback runs");
 }
 
 void cni_check_solver(cni_call *call, int32_t solver, int32_t most)
@@ -440,26 +424,15 @@ DEFINE_CHECK(constraint, cni_joint, cn_constraint)
 
 /* ------------------------------------------------------------------ lists and slots */
 
-void cni_check_capacity(cni_call *call, const char *field, const void *out, int32_t capacity)
-{
-	if (call->result == CN_OK && capacity < 0)
-		cni_refuse_int(call, "capacity", capacity, "must be >= 0");
-	if (capacity > 0)
-		cni_check_pointer(call, field, out);
-}
-
 void cni_check_output(cni_call *call, const void *out, int32_t capacity, const int32_t *out_count)
 {
-	cni_check_capacity(call, "out", out, capacity);
+	cni_check_array(call, "out", out, capacity);
 	cni_check_pointer(call, "out_count", out_count);
 }
 
 cni_list cni_list_begin(cni_call *call, uint32_t *out, int32_t capacity, const int32_t *out_count)
 {
-	cni_list list;
-	list.out = out;
-	list.capacity = capacity;
-	list.count = 0;
+	cni_list list = { out, capacity, 0 };
 	cni_check_output(call, out, capacity, out_count);
 	return list;
 }

@@ -61,7 +61,6 @@ typedef struct cni_call {
 	char *sentence;        /* CNI_ERROR_TEXT_BYTES, or NULL in calls that take a const world */
 	const char *function;
 	cn_result result;
-	int32_t reserved;
 } cni_call;
 
 cni_call cni_enter(cn_world *world, const char *function);
@@ -71,6 +70,12 @@ cni_call cni_enter_free(void);
 
 /* Records the failure "function: what". Returns the call's result. */
 cn_result cni_refuse(cni_call *call, cn_result result, const char *what);
+/* The caller's own check: refuses unless good. */
+static inline void cni_check(cni_call *call, int32_t good, cn_result result, const char *otherwise)
+{
+	if (!good)
+		cni_refuse(call, result, otherwise);
+}
 /* Records "function: field value; must ..." after the caller's own check of a value failed. */
 cn_result cni_refuse_float(cni_call *call, const char *field, float value, const char *must);
 cn_result cni_refuse_int(cni_call *call, const char *field, int64_t value, const char *must);
@@ -86,8 +91,6 @@ void cni_check_ends_of(cni_call *call, cn_world *world, int32_t body);
 void cni_check_pointer(cni_call *call, const char *field, const void *pointer);
 /* count >= 0; array not NULL unless count is 0. */
 void cni_check_array(cni_call *call, const char *field, const void *array, int32_t count);
-/* capacity >= 0; out not NULL unless capacity is 0. */
-void cni_check_capacity(cni_call *call, const char *field, const void *out, int32_t capacity);
 /* The results of a list: capacity, out and out_count. */
 void cni_check_output(cni_call *call, const void *out, int32_t capacity, const int32_t *out_count);
 /* Zeros a definition and sets its first member, struct_size. 0 for NULL. */
@@ -106,9 +109,8 @@ int32_t cni_check_def(cni_call *call, const void *def, size_t bytes, const char 
 void cni_check_finite(cni_call *call, const char *field, float value);
 void cni_check_finite2(cni_call *call, const char *field, cn_vec2 value);
 void cni_check_at_least(cni_call *call, const char *field, float value, float lower);
-/* >= 0 (> 0), or CN_DEFAULT. */
+/* >= 0, or CN_DEFAULT. */
 void cni_check_at_least_or_default(cni_call *call, const char *field, float value);
-void cni_check_positive_or_default(cni_call *call, const char *field, float value);
 /* > 0 and at most upper, or CN_DEFAULT. */
 void cni_check_above_0_or_default(cni_call *call, const char *field, float value, float upper);
 void cni_check_positive(cni_call *call, const char *field, float value);

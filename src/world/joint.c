@@ -12,8 +12,7 @@ cni_joint *cni_check_joint_of_type(cni_call *call, int32_t type, uint32_t handle
 {
 	int32_t constraint = cni_joint_is_constraint(type);
 	cni_joint *j = constraint ? cni_check_constraint(call, "constraint", handle) : cni_check_joint(call, "joint", handle);
-	if (j != NULL && j->type != type)
-		cni_refuse(call, CN_ERROR_STATE, constraint ? "the constraint is of another type" : "the joint is of another type");
+	cni_check(call, j == NULL || j->type == type, CN_ERROR_STATE, constraint ? "the constraint is of another type" : "the joint is of another type");
 	return j;
 }
 
@@ -70,8 +69,7 @@ cn_result cn_joint_set_flags(cn_world *world, cn_joint joint, uint32_t flags)
 static cni_joint *check_joint_has(cni_call *call, cn_joint joint, uint32_t what, const char *why_not)
 {
 	cni_joint *j = cni_check_joint(call, "joint", joint);
-	if (j != NULL && !(cni_joint_kind_of(j->type)->has & what))
-		cni_refuse(call, CN_ERROR_STATE, why_not);
+	cni_check(call, j == NULL || (cni_joint_kind_of(j->type)->has & what) != 0, CN_ERROR_STATE, why_not);
 	return j;
 }
 

@@ -5,6 +5,7 @@
  * other fields.
  */
 #include "joints/joint_type.h"
+#include "world/define.h"
 #include "world/joint_change.h"
 
 #include <string.h>
@@ -21,10 +22,9 @@ static void check_bodies(cni_call *call, const cn_joint_base *base)
 {
 	const cni_body *a = check_side(call, "body_a", base->body_a);
 	const cni_body *b = check_side(call, "body_b", base->body_b);
-	if (call->result == CN_OK && base->body_a == base->body_b)
-		cni_refuse(call, CN_ERROR_ARGUMENT, "body_a and body_b are the same");
-	if (call->result == CN_OK && !(a != NULL && a->type == CN_BODY_DYNAMIC) && !(b != NULL && b->type == CN_BODY_DYNAMIC))
-		cni_refuse(call, CN_ERROR_ARGUMENT, "neither body_a nor body_b is dynamic");
+	int32_t dynamic = (a != NULL && a->type == CN_BODY_DYNAMIC) || (b != NULL && b->type == CN_BODY_DYNAMIC);
+	cni_check(call, base->body_a != base->body_b, CN_ERROR_ARGUMENT, "body_a and body_b are the same");
+	cni_check(call, dynamic, CN_ERROR_ARGUMENT, "neither body_a nor body_b is dynamic");
 	cni_check_position(call, "anchor_a_m", base->anchor_a_m);
 	cni_check_position(call, "anchor_b_m", base->anchor_b_m);
 }
@@ -34,10 +34,10 @@ static void check_strength(cni_call *call, int32_t type, const cn_joint_base *ba
 {
 	cni_check_above_0_or_default(call, "stiffness_hertz", base->stiffness_hertz, CNI_HERTZ_MAX);
 	cni_check_range(call, "stiffness_damping_ratio", base->stiffness_damping_ratio, 0.0f, CNI_DAMPING_RATIO_MAX);
-	cni_check_positive_or_default(call, "force_max_N", base->force_max_N);
-	cni_check_positive_or_default(call, "torque_max_Nm", base->torque_max_Nm);
-	cni_check_positive_or_default(call, "break_force_N", base->break_force_N);
-	cni_check_positive_or_default(call, "break_torque_Nm", base->break_torque_Nm);
+	cni_check_above_0_or_default(call, "force_max_N", base->force_max_N, FLT_MAX);
+	cni_check_above_0_or_default(call, "torque_max_Nm", base->torque_max_Nm, FLT_MAX);
+	cni_check_above_0_or_default(call, "break_force_N", base->break_force_N, FLT_MAX);
+	cni_check_above_0_or_default(call, "break_torque_Nm", base->break_torque_Nm, FLT_MAX);
 	if (cni_joint_kind_of(type)->has & CNI_KIND_NEEDS_FORCE_MAX)
 		cni_check_positive(call, "force_max_N of this type", base->force_max_N);
 	if (type == CN_JOINT_MOTOR_TO)
@@ -54,29 +54,30 @@ static void store_strength(cni_joint *j, const cn_joint_base *base)
 	j->break_torque = cni_zero_of_default(base->break_torque_Nm);
 }
 
-static void base_read(const cn_world *world, const cni_joint *j, cn_joint_base *out)
+static cn_joint_base base_of(const cn_world *world, const cni_joint *j)
 {
-	out->struct_size = (uint32_t)cni_joint_kind_of(j->type)->bytes;
-	out->flags = j->flags;
-	out->body_a = cni_handle_or_zero(&world->body_handles, j->body[0]);
-	out->body_b = cni_handle_or_zero(&world->body_handles, j->body[1]);
-	out->anchor_a_m = j->anchor[0];
-	out->anchor_b_m = j->anchor[1];
-	out->stiffness_hertz = cni_default_of_zero(j->stiffness_hertz);
-	out->stiffness_damping_ratio = j->stiffness_damping;
-	out->force_max_N = cni_default_of_zero(j->force_max);
-	out->torque_max_Nm = cni_default_of_zero(j->torque_max);
-	out->break_force_N = cni_default_of_zero(j->break_force);
-	out->break_torque_Nm = cni_default_of_zero(j->break_torque);
-	out->user_data = j->user_data;
+	cn_joint_base base;
+	base.struct_size = (uint32_t)cni_joint_kind_of(j->type)->bytes;
+	base.flags = j->flags;
+	base.body_a = cni_handle_or_zero(&world->body_handles, j->body[0]);
+	base.body_b = cni_handle_or_zero(&world->body_handles, j->body[1]);
+	base.anchor_a_m = j->anchor[0];
+	base.anchor_b_m = j->anchor[1];
+	base.stiffness_hertz = cni_default_of_zero(j->stiffness_hertz);
+	base.stiffness_damping_ratio = j->stiffness_damping;
+	base.force_max_N = cni_default_of_zero(j->force_max);
+	base.torque_max_Nm = cni_default_of_zero(j->torque_max);
+	base.break_force_N = cni_default_of_zero(j->break_force);
+	base.break_torque_Nm = cni_default_of_zero(j->break_torque);
+	base.user_data = j->user_data;
+	return base;
 }
 
 /* ------------------------------------------------------------------ creating */
 
 void cni_joint_reserve_one(cni_call *call, cn_world *world, int32_t contacts)
 {
-	if (call->result == CN_OK && !CNI_HAS_JOINTS)
-		cni_refuse(call, CN_ERROR_STATE, "this library was built without joints (CN_NO_JOINTS)");
+	cni_check(call, CNI_HAS_JOINTS, CN_ERROR_STATE, "this library was built without joints (CN_NO_JOINTS)");
 	if (call->result == CN_OK)
 		cni_check_reserved(call, cni_slots_reserve(world, &world->joint_handles, &world->joints, 1), "joints");
 	if (call->result == CN_OK)
@@ -112,9 +113,8 @@ static void check_def(cni_call *call, int32_t type, const cn_joint_base *base, c
 	cni_check_flags(call, "flags", given->flags, CNI_JOINT_FLAGS);
 	check_strength(call, type, given);
 	cni_joint_def_check(call, type, def);
-	if (type == CN_JOINT_MOUSE && base->body_a != 0)
-		cni_refuse(call, CN_ERROR_ARGUMENT, "body_a; must be 0 (the world) in this type");
-	if (type == CN_JOINT_GROOVE && call->result == CN_OK && cni_distance_sq(base->anchor_a_m, ((const cn_groove_def *)def)->end_m) <= 0.0f)
+	cni_check(call, type != CN_JOINT_MOUSE || base->body_a == 0, CN_ERROR_ARGUMENT, "body_a; must be 0 (the world) in this type");
+	if (type == CN_JOINT_GROOVE && cni_distance_sq(base->anchor_a_m, ((const cn_groove_def *)def)->end_m) <= 0.0f)
 		cni_refuse(call, CN_ERROR_ARGUMENT, "end_m is anchor_a_m; the slot must have a length > 0");
 }
 
@@ -167,7 +167,7 @@ static cn_result joint_get(const cn_world *world, int32_t type, cn_joint joint, 
 	if (call.result != CN_OK)
 		return call.result;
 	memset(out, 0, cni_joint_kind_of(type)->bytes);
-	base_read(world, j, (cn_joint_base *)out);
+	*(cn_joint_base *)out = base_of(world, j);
 	cni_joint_def_read(j, out);
 	return CN_OK;
 }
@@ -182,7 +182,7 @@ static cn_result joint_set(cn_world *world, const char *function, int32_t type, 
 	cni_check_pointer(&call, "def", def);
 	if (call.result != CN_OK)
 		return call.result;
-	base_read(world, j, &present);
+	present = base_of(world, j);
 	check_def(&call, type, &present, def);
 	cni_joint_change_reserve(&call, world, j);
 	if (call.result != CN_OK)
@@ -199,15 +199,7 @@ static cn_result joint_set(cn_world *world, const char *function, int32_t type, 
 	return CN_OK;
 }
 
-cn_result cn_joint_get_base(const cn_world *world, cn_joint joint, cn_joint_base *out)
-{
-	cni_call call = cni_enter_const(world);
-	const cni_joint *j = cni_check_joint(&call, "joint", joint);
-	cni_check_pointer(&call, "out", out);
-	if (call.result == CN_OK)
-		base_read(world, j, out);
-	return call.result;
-}
+CNI_DEFINE_GET(joint, base, cn_joint_base, base_of(world, record))
 
 cn_result cn_joint_set_base(cn_world *world, cn_joint joint, const cn_joint_base *base)
 {

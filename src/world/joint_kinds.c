@@ -184,8 +184,7 @@ static void check_ratio(cni_call *call, const char *field, float ratio)
 static void check_axis(cni_call *call, cn_vec2 axis)
 {
 	cni_check_finite2(call, "axis", axis);
-	if (axis.x == 0.0f && axis.y == 0.0f)
-		cni_refuse(call, CN_ERROR_ARGUMENT, "axis (0, 0); must have a length > 0");
+	cni_check(call, axis.x != 0.0f || axis.y != 0.0f, CN_ERROR_ARGUMENT, "axis (0, 0); must have a length > 0");
 }
 
 void cni_check_joint_limits(cni_call *call, int32_t type, float lower, float upper)
@@ -218,7 +217,7 @@ static void check_number(cni_call *call, int32_t type, const cni_joint_field *fi
 	case HERTZ_ABOVE_0: cni_check_positive(call, field->name, value); /* fall through */
 	case HERTZ: cni_check_range(call, field->name, value, 0.0f, CNI_HERTZ_MAX); break;
 	case HERTZ_OR_RIGID: cni_check_above_0_or_default(call, field->name, value, CNI_HERTZ_MAX); break;
-	case BREAK: cni_check_positive_or_default(call, field->name, value); break;
+	case BREAK: cni_check_above_0_or_default(call, field->name, value, FLT_MAX); break;
 	case DAMPING: cni_check_range(call, field->name, value, 0.0f, CNI_DAMPING_RATIO_MAX); break;
 	case RATIO: check_ratio(call, field->name, value); break;
 	case RATIO_ABOVE_0: cni_check_range(call, field->name, value, RATIO_MIN, RATIO_MAX); break;

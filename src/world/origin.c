@@ -95,21 +95,13 @@ cn_result cn_world_shift_origin(cn_world *world, float x_m, float y_m)
 }
 
 /* The origin of the body's frame is its centre less the turned local centre. */
-cn_result cn_body_get_position_parts(const cn_world *world, cn_body body, cn_vec2 *out_high_m, cn_vec2 *out_low_m)
+static void position_parts(const cni_body *b, cn_vec2 *high, cn_vec2 *low)
 {
-	cni_call call = cni_enter_const(world);
-	const cni_body *b = cni_check_body(&call, "body", body);
-	cni_vec2 arm, high, low;
-	cni_check_pointer(&call, "out_high_m", out_high_m);
-	cni_check_pointer(&call, "out_low_m", out_low_m);
-	if (call.result != CN_OK)
-		return call.result;
-	arm = cni_rotate(b->q, b->local_center);
-	high = cni_v(b->cx, b->cy);
-	low = cni_v(b->cx_low, b->cy_low);
-	shift_parts(&high.x, &low.x, arm.x);
-	shift_parts(&high.y, &low.y, arm.y);
-	*out_high_m = high;
-	*out_low_m = low;
-	return CN_OK;
+	cni_vec2 arm = cni_rotate(b->q, b->local_center);
+	*high = cni_v(b->cx, b->cy);
+	*low = cni_v(b->cx_low, b->cy_low);
+	shift_parts(&high->x, &low->x, arm.x);
+	shift_parts(&high->y, &low->y, arm.y);
 }
+
+CNI_DEFINE_GET2(body, position_parts, cn_vec2, cn_vec2, position_parts(record, out_a, out_b))

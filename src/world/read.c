@@ -48,10 +48,7 @@ typedef struct walk {
 
 static walk walk_begin(const cn_world *world, const cn_body *bodies)
 {
-	walk w;
-	w.world = world;
-	w.bodies = bodies;
-	w.slot = w.step = 0;
+	walk w = { world, bodies, 0, 0 };
 	return w;
 }
 

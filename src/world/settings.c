@@ -173,47 +173,43 @@ static void count_contacts(const cn_world *world, cn_counters *out)
 	out->overflow_contacts = world->colors[CNI_COLOR_OVERFLOW].lanes;
 }
 
-cn_result cn_world_get_counters(const cn_world *world, cn_counters *out)
+static cn_counters counters_of(const cn_world *world)
 {
-	cni_call call = cni_enter_const(world);
-	cni_check_pointer(&call, "out", out);
-	if (call.result != CN_OK)
-		return call.result;
-	memset(out, 0, sizeof *out);
-	out->bodies = world->body_handles.count;
-	out->bodies_awake = world->awake_count - 1;
-	out->shapes = world->shape_handles.count;
-	out->proxies = world->proxy_count;
-	count_contacts(world, out);
-	out->joints = world->joint_handles.count;
-	out->joints_awake = world->awake_joints.count;
-	count_islands(world, out);
-	out->broadphase_tiles = world->broadphase_ops->cells(world->broadphase);
-	out->steps = world->step_count;
-	out->warnings = world->warnings;
-	out->pairs_not_added = world->pairs_not_added;
-	out->events_not_reported = world->events_not_reported;
-	out->direct_work = world->direct_work;
-	return CN_OK;
+	cn_counters c;
+	memset(&c, 0, sizeof c);
+	c.bodies = world->body_handles.count;
+	c.bodies_awake = world->awake_count - 1;
+	c.shapes = world->shape_handles.count;
+	c.proxies = world->proxy_count;
+	count_contacts(world, &c);
+	c.joints = world->joint_handles.count;
+	c.joints_awake = world->awake_joints.count;
+	count_islands(world, &c);
+	c.broadphase_tiles = world->broadphase_ops->cells(world->broadphase);
+	c.steps = world->step_count;
+	c.warnings = world->warnings;
+	c.pairs_not_added = world->pairs_not_added;
+	c.events_not_reported = world->events_not_reported;
+	c.direct_work = world->direct_work;
+	return c;
 }
 
+static cn_memory_stats memory_stats_of(const cn_world *world)
+{
+	cn_memory_stats s;
+	memset(&s, 0, sizeof s);
+	s.bytes_in_use = world->memory.bytes_in_use;
+	s.bytes_peak = world->memory.bytes_peak;
+	s.allocator_calls = world->memory.calls;
+	s.arena_capacity = world->arena.capacity;
+	s.arena_peak = world->arena.high_water;
+	s.arena_fallbacks = world->arena.fallbacks;
+	s.blocks_capacity = world->blocks.bytes_in_chunks;
+	s.blocks_in_use = world->blocks.bytes_in_use;
+	s.blocks_large = world->blocks.bytes_large;
+	return s;
+}
+
+WORLD_GET(counters, cn_counters, counters_of(world))
 WORLD_GET(profile, cn_profile, world->profile)
-
-cn_result cn_world_get_memory_stats(const cn_world *world, cn_memory_stats *out)
-{
-	cni_call call = cni_enter_const(world);
-	cni_check_pointer(&call, "out", out);
-	if (call.result != CN_OK)
-		return call.result;
-	memset(out, 0, sizeof *out);
-	out->bytes_in_use = world->memory.bytes_in_use;
-	out->bytes_peak = world->memory.bytes_peak;
-	out->allocator_calls = world->memory.calls;
-	out->arena_capacity = world->arena.capacity;
-	out->arena_peak = world->arena.high_water;
-	out->arena_fallbacks = world->arena.fallbacks;
-	out->blocks_capacity = world->blocks.bytes_in_chunks;
-	out->blocks_in_use = world->blocks.bytes_in_use;
-	out->blocks_large = world->blocks.bytes_large;
-	return CN_OK;
-}
+WORLD_GET(memory_stats, cn_memory_stats, memory_stats_of(world))

@@ -13,8 +13,7 @@ cn_result cn_shape_attach(cn_world *world, cn_shape shape, cn_body body)
 	cni_call call = cni_enter(world, __func__);
 	const cni_shape *s = cni_check_shape(&call, "shape", shape);
 	const cni_body *b = cni_check_body(&call, "body", body);
-	if (call.result == CN_OK && s->body != CNI_NONE)
-		cni_refuse(&call, CN_ERROR_STATE, "the shape is attached already");
+	cni_check(&call, s == NULL || s->body == CNI_NONE, CN_ERROR_STATE, "the shape is attached already");
 	if (call.result != CN_OK)
 		return call.result;
 	cni_shape_link(world, cni_shape_index(world, shape), cni_body_index(world, body));
@@ -45,8 +44,7 @@ cn_result cn_shape_detach(cn_world *world, cn_shape shape)
 {
 	cni_call call = cni_enter(world, __func__);
 	const cni_shape *s = cni_check_shape(&call, "shape", shape);
-	if (call.result == CN_OK && s->body == CNI_NONE)
-		cni_refuse(&call, CN_ERROR_STATE, "the shape is not attached");
+	cni_check(&call, s == NULL || s->body != CNI_NONE, CN_ERROR_STATE, "the shape is not attached");
 	cni_check_ends_of(&call, world, s != NULL ? s->body : CNI_NONE);
 	if (call.result == CN_OK)
 		shape_leave_body(world, cni_shape_index(world, shape));
@@ -178,11 +176,7 @@ cn_result cn_shape_set_filter(cn_world *world, cn_shape shape, const cn_filter *
 
 static cn_filter filter_of(const cni_shape *s)
 {
-	cn_filter f;
-	f.category = s->category;
-	f.mask = s->mask;
-	f.group = s->group;
-	f.reserved = 0;
+	cn_filter f = { s->category, s->mask, s->group, 0 };
 	return f;
 }
 

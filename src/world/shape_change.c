@@ -54,8 +54,7 @@ static void contacts_update(cn_world *world, int32_t shape)
 static cni_shape *check_change(cni_call *call, cn_world *world, cn_shape shape, const cni_shape_source *from)
 {
 	cni_shape *s = cni_check_shape(call, "shape", shape);
-	if (s != NULL && s->type != from->type)
-		cni_refuse(call, CN_ERROR_STATE, "the shape is of another type");
+	cni_check(call, s == NULL || s->type == from->type, CN_ERROR_STATE, "the shape is of another type");
 	cni_check_ends_of(call, world, s != NULL ? s->body : CNI_NONE);
 	return s;
 }

@@ -46,8 +46,7 @@ static void record_fill(cni_call *call, cn_world *world, cni_shape *s, const cn_
 	if (!cni_is_chain(g->type))
 		s->box.proxy = CNI_NONE;
 	s->density = def->density_kgpm2;
-	if (!cni_shape_store_material(world, s, &def->material))
-		cni_refuse(call, CN_ERROR_MEMORY, "no memory for the material's user_id");
+	cni_check(call, cni_shape_store_material(world, s, &def->material), CN_ERROR_MEMORY, "no memory for the material's user_id");
 	s->flags = (uint8_t)def->flags;
 	s->category = def->filter.category;
 	s->mask = def->filter.mask;

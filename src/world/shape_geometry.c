@@ -2,7 +2,7 @@
  * world/shape_geometry.c - public functions that read geometry: boxes of shapes and bodies, mass, points,
  * point test. Reads only; points are in the body's local frame, as in the geometry record.
  */
-#include "world/error.h"
+#include "world/define.h"
 
 #include <string.h>
 
@@ -11,8 +11,7 @@ static const cni_geometry *geometry_of(cni_call *call, cn_shape shape, int32_t t
 {
 	const cni_shape *s = cni_check_shape(call, "shape", shape);
 	cni_check_pointer(call, "out", out);
-	if (call->result == CN_OK && type != CNI_NONE && s->type != type)
-		cni_refuse(call, CN_ERROR_STATE, "the shape is of another type");
+	cni_check(call, s == NULL || type == CNI_NONE || s->type == type, CN_ERROR_STATE, "the shape is of another type");
 	return call->result == CN_OK ? cni_shape_geometry(&call->world->blocks, s) : NULL;
 }
 
@@ -29,25 +28,20 @@ static cn_aabb box_of(cni_aabb box)
 	return b;
 }
 
-cn_result cn_body_get_aabb(const cn_world *world, cn_body body, cn_aabb *out)
+/* The origin of a body without shapes. */
+static cni_aabb box_of_body(const cn_world *world, const cni_body *b)
 {
-	cni_call call = cni_enter_const(world);
-	const cni_body *b = cni_check_body(&call, "body", body);
-	cni_transform x;
-	cni_aabb box;
+	cni_transform x = cni_body_transform(b);
+	cni_aabb box = cni_aabb_of(x.t, x.t);
 	int32_t shape;
-	cni_check_pointer(&call, "out", out);
-	if (call.result != CN_OK)
-		return call.result;
-	x = cni_body_transform(b);
-	box = cni_aabb_of(x.t, x.t);
 	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
 		cni_aabb next = cni_geometry_bounds(cni_shape_geometry(&world->blocks, cni_shape_at(world, shape)), x);
 		box = shape == b->shape_first ? next : cni_aabb_union(&box, &next);
 	}
-	*out = box_of(box);
-	return CN_OK;
+	return box;
 }
+
+CNI_DEFINE_GET(body, aabb, cn_aabb, box_of(box_of_body(world, record)))
 
 /* ---- by shape ---- */
 
@@ -101,7 +95,7 @@ cn_result cn_shape_get_chain_points(const cn_world *world, cn_shape shape, cn_ve
 {
 	cni_call call = cni_enter_const(world);
 	const cni_geometry *g = geometry_of(&call, shape, CN_SHAPE_CHAIN, out_count);
-	cni_check_capacity(&call, "out", out, capacity);
+	cni_check_array(&call, "out", out, capacity);
 	if (call.result != CN_OK)
 		return call.result;
 	if (capacity > 0)

@@ -5,10 +5,7 @@
 
 static cni_shape_source source_make(int32_t type, int32_t count, const void *given)
 {
-	cni_shape_source s;
-	s.type = type;
-	s.count = count;
-	s.given = given;
+	cni_shape_source s = { type, count, given };
 	return s;
 }
 
@@ -35,8 +32,7 @@ static void check_geometry(cni_call *call, const char *complaint, const cn_vec2 
 cni_shape_source cni_source_circle(cni_call *call, const cn_world *world, const cn_circle *circle)
 {
 	cni_check_pointer(call, "circle", circle);
-	if (!CNI_HAS_CIRCLES)
-		cni_refuse(call, CN_ERROR_STATE, "this library was built without circles (CN_NO_CIRCLES)");
+	cni_check(call, CNI_HAS_CIRCLES, CN_ERROR_STATE, "this library was built without circles (CN_NO_CIRCLES)");
 	if (call->result == CN_OK) {
 		cni_check_finite2(call, "center_m", circle->center_m);
 		cni_check_positive(call, "radius_m", circle->radius_m);
@@ -93,8 +89,7 @@ cni_shape_source cni_source_chain(cni_call *call, const cn_world *world, const c
 {
 	int32_t k;
 	cni_check_pointer(call, "chain", chain);
-	if (!CNI_HAS_CHAINS)
-		cni_refuse(call, CN_ERROR_STATE, "this library was built without chains (CN_NO_CHAINS)");
+	cni_check(call, CNI_HAS_CHAINS, CN_ERROR_STATE, "this library was built without chains (CN_NO_CHAINS)");
 	if (call->result != CN_OK)
 		return source_make(CN_SHAPE_CHAIN, 0, chain);
 	cni_check_flags(call, "loop", chain->loop, 1u);

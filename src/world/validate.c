@@ -314,8 +314,9 @@ static void check_areas(report *r)
 cn_result cn_world_validate(const cn_world *world, char *text, int32_t text_bytes)
 {
 	cni_call call = cni_enter_const(world);
+	cni_text out;
 	report r;
-	cni_check_capacity(&call, "text", text, text_bytes);
+	cni_check_array(&call, "text", text, text_bytes);
 	if (call.result != CN_OK)
 		return call.result;
 	memset(&r, 0, sizeof r);
@@ -327,14 +328,12 @@ cn_result cn_world_validate(const cn_world *world, char *text, int32_t text_byte
 	check_joints(&r);
 	check_areas(&r);
 	expect(&r, cni_broadphase_holds(world->broadphase_ops, world->broadphase), "broadphase", 0);
-	{
-		cni_text out = cni_text_begin(text, text_bytes);
-		if (r.what == NULL)
-			return CN_OK;
-		cni_text_string(&out, "broken invariant: ");
-		cni_text_string(&out, r.what);
-		cni_text_string(&out, " ");
-		cni_text_int(&out, r.index);
-	}
+	out = cni_text_begin(text, text_bytes);
+	if (r.what == NULL)
+		return CN_OK;
+	cni_text_string(&out, "broken invariant: ");
+	cni_text_string(&out, r.what);
+	cni_text_string(&out, " ");
+	cni_text_int(&out, r.index);
 	return CN_ERROR_INTERNAL;
 }
