@@ -108,12 +108,12 @@ static void world_fill(cn_world *world, cni_file *f)
 {
 	cni_file_world(world, f);
 	cni_file_boxes(world, f);
-	if (f->result == CN_OK && !cni_file_world_holds(world))
-		cni_file_fail(f, CN_ERROR_FORMAT);
+	if (f->result == CN_OK)
+		cni_file_need(f, cni_file_world_holds(world), CN_ERROR_FORMAT);
 	cni_file_contacts(world, f);
 	cni_file_broadphase(world, f);
-	if (f->result == CN_OK && cn_world_validate(world, NULL, 0) != CN_OK)
-		cni_file_fail(f, CN_ERROR_FORMAT);
+	if (f->result == CN_OK)
+		cni_file_need(f, cn_world_validate(world, NULL, 0) == CN_OK, CN_ERROR_FORMAT);
 }
 
 cn_result cn_world_read(const cn_world_def *def, const void *file, uint64_t bytes, cn_world **out_world)

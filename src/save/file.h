@@ -66,6 +66,7 @@ typedef struct cni_file {
 	uint8_t *out;            /* WRITE */
 	const uint8_t *in;       /* READ: the chunks */
 	uint64_t bytes;          /* READ: of the chunks; else: passed so far */
+	uint64_t begun;          /* ... before the records of the chunk of cni_file_chunk_begin */
 	const uint8_t *at;       /* READ: the next byte of the present chunk */
 	const uint8_t *end;      /* ... and its end */
 	int32_t mode;
@@ -81,11 +82,20 @@ cni_file cni_file_write(uint8_t *out);
 /* Checks the chunks' frames. */
 cni_file cni_file_read(const uint8_t *chunks, uint64_t bytes);
 void cni_file_fail(cni_file *f, cn_result result);
+/* Fails unless good. */
+static inline void cni_file_need(cni_file *f, int32_t good, cn_result otherwise)
+{
+	if (!good)
+		cni_file_fail(f, otherwise);
+}
 /* Begins a chunk: writes its head, or finds it. Returns the number of records; READ: 0 after a failure. least: the bytes of a
    record in the file; when reading, the least that a record must have. *stride: bytes from one record to the next. */
 int32_t cni_file_chunk(cni_file *f, const char *tag, uint32_t least, int32_t count, uint32_t *stride);
-/* The same of records that have no more fields than now: in READ their bytes must be exactly `bytes`. */
-int32_t cni_file_chunk_exact(cni_file *f, const char *tag, uint32_t bytes, int32_t count);
+/* A chunk of records that have no more fields than now: in READ their bytes must be exactly `bytes`. Returns their number in READ; in
+   the other modes it follows from what is passed until the end. */
+int32_t cni_file_chunk_begin(cni_file *f, const char *tag, uint32_t bytes);
+/* READ: nothing must be left. */
+void cni_file_chunk_end(cni_file *f, uint32_t bytes);
 /* READ: is there such a chunk? */
 int32_t cni_file_has(const cni_file *f, const char *tag);
 /* The number of records of a chunk, in READ. */

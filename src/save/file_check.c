@@ -176,15 +176,16 @@ static int32_t contact_boxes_hold(const cn_world *world, const cni_contact *c)
 	return 0;
 }
 
+/* cn_world_validate compares contacts that are apart or asleep with their places. */
 static int32_t contact_place_holds(const cn_world *world, int32_t contact)
 {
 	const cni_contact *c = cni_contact_at(world, contact);
 	if (!(c->flags & CNI_CONTACT_TOUCHING))
-		return !(c->flags & CNI_CONTACT_ASLEEP) && (c->slot == CNI_NONE || (c->slot >= 0 && c->slot < world->apart.count && ((const int32_t *)world->apart.data)[c->slot] == contact));
+		return !(c->flags & CNI_CONTACT_ASLEEP);
 	if (c->slot < 0 || (c->flags & CNI_CONTACT_SENSOR))
 		return 0;
 	if (!CNI_SLEEP_IN_BLOCKS && (c->flags & CNI_CONTACT_ASLEEP))
-		return c->slot < world->sleep_lanes.count && ((const cni_sleep_lane *)world->sleep_lanes.data)[c->slot].contact == contact;
+		return 1;
 	return c->slot / CNI_LANES < world->block_used && cni_block_info_at(world, c->slot / CNI_LANES)->color != CNI_NONE &&
 	       cni_block_info_at(world, c->slot / CNI_LANES)->contact[c->slot % CNI_LANES] == contact;
 }
@@ -205,22 +206,10 @@ static int32_t contacts_hold(const cn_world *world)
 	return free_records == world->contact_used - world->contact_count;
 }
 
-static int32_t sleep_lanes_hold(const cn_world *world)
-{
-	const uint32_t asleep = CNI_CONTACT_TOUCHING | CNI_CONTACT_ASLEEP;
-	int32_t k;
-	for (k = 0; k < world->sleep_lanes.count; ++k) {
-		int32_t contact = ((const cni_sleep_lane *)world->sleep_lanes.data)[k].contact;
-		if (!contact_is_live(world, contact) || cni_contact_at(world, contact)->slot != k || (cni_contact_at(world, contact)->flags & asleep) != asleep)
-			return 0;
-	}
-	return 1;
-}
-
 /* ---- lanes ---- */
 
-/* A lane in use: its contact has it, its bodies are the contact's, and an anchor names the body that is not awake. The lane of a
-   contact that sleeps has neither. */
+/* A lane in use: its contact has it, and an anchor names the body that is not awake. The lane of a contact that sleeps has neither.
+   cn_world_validate compares the bodies of others. */
 static int32_t lane_holds(const cn_world *world, int32_t block, int32_t lane)
 {
 	const cni_block_info *info = cni_block_info_at(world, block);
@@ -235,8 +224,6 @@ static int32_t lane_holds(const cn_world *world, int32_t block, int32_t lane)
 		return 0;
 	if (c->flags & CNI_CONTACT_ASLEEP)
 		return rows->ia[lane] == 0 && rows->ib[lane] == 0 && !(info->anchored >> lane & 1u);
-	if (rows->ia[lane] != cni_body_at(world, c->body[flipped])->awake || rows->ib[lane] != cni_body_at(world, c->body[1 - flipped])->awake)
-		return 0;
 	return rows->ib[lane] != 0 || !(info->anchored >> lane & 1u) || cni_block_anchor_at(world, block)->x.body[lane] == c->body[1 - flipped];
 }
 
@@ -349,6 +336,6 @@ static int32_t areas_hold(const cn_world *world)
 
 int32_t cni_file_world_holds(const cn_world *world)
 {
-	return areas_hold(world) && records_hold(world) && cni_awake_ids(world)[0] == CNI_NONE && islands_hold(world) && contacts_hold(world) && sleep_lanes_hold(world) &&
+	return areas_hold(world) && records_hold(world) && cni_awake_ids(world)[0] == CNI_NONE && islands_hold(world) && contacts_hold(world) &&
 	       blocks_hold(world) && events_hold(world);
 }

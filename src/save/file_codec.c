@@ -152,13 +152,21 @@ int32_t cni_file_chunk(cni_file *f, const char *tag, uint32_t least, int32_t cou
 	return count;
 }
 
-int32_t cni_file_chunk_exact(cni_file *f, const char *tag, uint32_t bytes, int32_t count)
+int32_t cni_file_chunk_begin(cni_file *f, const char *tag, uint32_t bytes)
 {
 	uint32_t stride;
-	count = cni_file_chunk(f, tag, bytes, count, &stride);
-	if (stride != bytes)
-		cni_file_fail(f, CN_ERROR_FORMAT);
+	int32_t count = cni_file_chunk(f, tag, bytes, 0, &stride);
+	cni_file_need(f, stride == bytes, CN_ERROR_FORMAT);
+	f->begun = f->bytes;
 	return count;
+}
+
+void cni_file_chunk_end(cni_file *f, uint32_t bytes)
+{
+	if (f->mode == CNI_FILE_READ)
+		cni_file_need(f, cni_file_left(f) == 0, CN_ERROR_FORMAT);
+	else if (f->mode == CNI_FILE_WRITE)
+		cni_file_put(f->out + f->begun - 8, (f->bytes - f->begun) / bytes, 8);
 }
 
 uint64_t cni_file_left(const cni_file *f)
@@ -260,11 +268,8 @@ static void field_pass(cni_file *f, const cni_field *field, uint8_t *item)
 	for (k = 0; k < field->count; ++k, item += bytes) {
 		if (f->mode == CNI_FILE_READ) {
 			uint64_t value = bytes_get(f, bytes);
-			if (!value_is_good(f, field->kind, value)) {
-				cni_file_fail(f, CN_ERROR_FORMAT);
-				return;
-			}
-			field_store(item, value, bytes);
+			cni_file_need(f, value_is_good(f, field->kind, value), CN_ERROR_FORMAT);
+			field_store(item, f->result == CN_OK ? value : 0, bytes);
 		} else {
 			bytes_put(f, field_load(item, bytes) & (field->kind == CNI_FIELD_DRIVE ? (1u << CNI_EXTERNAL_COLOR_SHIFT) - 1u : UINT64_MAX), bytes);
 		}

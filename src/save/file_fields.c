@@ -191,8 +191,7 @@ static void single_pass(cni_file *f, const char *tag, int32_t record, void *item
 {
 	uint32_t stride;
 	int32_t count = cni_file_chunk(f, tag, cni_record_file_bytes(&records[record]), 1, &stride);
-	if (f->mode == CNI_FILE_READ && count != 1)
-		cni_file_fail(f, CN_ERROR_FORMAT);
+	cni_file_need(f, count == 1, CN_ERROR_FORMAT);
 	cni_file_record(f, &records[record], item, stride);
 }
 
@@ -290,8 +289,8 @@ static void handles_pass(cn_world *world, cni_file *f, char letter, cni_handles 
 		return;
 	if (!cni_file_handles_hold(handles))
 		cni_file_fail(f, CN_ERROR_FORMAT);
-	else if (cni_handles_reserve(handles, &world->memory, 0) != CN_OK)
-		cni_file_fail(f, CN_ERROR_MEMORY);
+	else
+		cni_file_need(f, cni_handles_reserve(handles, &world->memory, 0) == CN_OK, CN_ERROR_MEMORY);
 }
 
 static int32_t body_is_live(const cn_world *world, int32_t body) { return cni_handles_alive(&world->body_handles, body); }
@@ -342,7 +341,7 @@ enum { PROXY_POOL, CONTACT_POOL, ISLAND_POOL, BLOCK_POOL };
 /* Marks the free records and links them. */
 static void free_read(cn_world *world, cni_file *f, const pool *p, int32_t used, int32_t *head)
 {
-	int32_t count = cni_file_chunk_exact(f, p->tag, 4, 0), k, *to = head;
+	int32_t count = cni_file_chunk_begin(f, p->tag, 4), k, *to = head;
 	*to = CNI_NONE;
 	for (k = 0; k < count; ++k) {
 		uint32_t index = cni_file_word(f, 0);
@@ -359,12 +358,11 @@ static void free_read(cn_world *world, cni_file *f, const pool *p, int32_t used,
 
 static void free_write(cn_world *world, cni_file *f, const pool *p, int32_t head)
 {
-	int32_t count = 0, k;
-	for (k = head; k != CNI_NONE; k = *p->link(world, k))
-		++count;
-	(void)cni_file_chunk_exact(f, p->tag, 4, count);
+	int32_t k;
+	(void)cni_file_chunk_begin(f, p->tag, 4);
 	for (k = head; k != CNI_NONE; k = *p->link(world, k))
 		(void)cni_file_word(f, (uint32_t)k);
+	cni_file_chunk_end(f, 4);
 }
 
 /* Makes room for the records of a pool and says which are free. */
@@ -375,8 +373,8 @@ static void pool_pass(cn_world *world, cni_file *f, int32_t which, cni_table *ta
 		free_write(world, f, &pools[which], *head);
 		return;
 	}
-	if (f->result == CN_OK && !cni_table_reserve(table, &world->memory, f->limits[limit]))
-		cni_file_fail(f, CN_ERROR_MEMORY);
+	if (f->result == CN_OK)
+		cni_file_need(f, cni_table_reserve(table, &world->memory, f->limits[limit]), CN_ERROR_MEMORY);
 	if (f->result != CN_OK)
 		return;
 	*used = f->limits[limit];
@@ -440,16 +438,15 @@ static void blocks_pass(cn_world *world, cni_file *f)
 {
 	uint32_t stride;
 	int32_t count, color;
-	if (f->mode == CNI_FILE_READ && !cni_table_reserve(&world->blocks_hot, &world->memory, f->limits[CNI_FIELD_BLOCK]))
-		cni_file_fail(f, CN_ERROR_MEMORY);
+	if (f->mode == CNI_FILE_READ)
+		cni_file_need(f, cni_table_reserve(&world->blocks_hot, &world->memory, f->limits[CNI_FIELD_BLOCK]), CN_ERROR_MEMORY);
 	pool_pass(world, f, BLOCK_POOL, &world->blocks_info, CNI_FIELD_BLOCK, &world->block_used, &world->block_free);
 	table_pass(world, f, "INFO", OF_INFO, &world->blocks_info, world->block_used, block_is_live);
 	lanes_pass(world, f, "BLOK", OF_BLOCK, &world->blocks_hot, world->block_used);
 	lanes_pass(world, f, "ANCH", OF_ANCHOR, &world->blocks_anchor, world->block_used);
 	extra_pass(world, f);
 	count = cni_file_chunk(f, "COLR", cni_record_file_bytes(&records[OF_COLOR]), CNI_COLOR_LISTS, &stride);
-	if (count != CNI_COLOR_LISTS)
-		cni_file_fail(f, CN_ERROR_FORMAT);
+	cni_file_need(f, count == CNI_COLOR_LISTS, CN_ERROR_FORMAT);
 	for (color = 0; color < CNI_COLOR_LISTS; ++color)
 		cni_file_record(f, &records[OF_COLOR], &world->colors[color], stride);
 }

@@ -7,6 +7,7 @@
  */
 #include "save/file.h"
 
+#include <stddef.h>
 #include <string.h>
 
 /* ---- geometry: a piece for each live shape, in their order ---- */
@@ -29,32 +30,19 @@ static uint32_t geometry_words(int32_t type, uint32_t count)
 	return ((uint32_t)cni_geometry_bytes(type, (int32_t)count) - (uint32_t)sizeof(cni_geometry)) / 4u + 7u;
 }
 
-/* READ stores finite numbers; else the number is only read. */
-static void float_pass(cni_file *f, float *x)
-{
-	uint32_t word;
-	memcpy(&word, x, sizeof word);
-	word = cni_file_word(f, word);
-	if (f->mode != CNI_FILE_READ)
-		return;
-	if ((word & 0x7F800000u) == 0x7F800000u) {
-		cni_file_fail(f, CN_ERROR_FORMAT);
-		word = 0;
-	}
-	memcpy(x, &word, sizeof word);
-}
-
+/* What follows count and seams. */
 static void geometry_pass(cni_file *f, cni_geometry *g)
 {
-	float *vectors = (float *)(void *)(g + 1);
-	uint32_t k, count = geometry_words(g->type, (uint32_t)g->count) - 7u;
-	float_pass(f, &g->radius);
-	float_pass(f, &g->centroid.x);
-	float_pass(f, &g->centroid.y);
-	float_pass(f, &g->extent);
-	float_pass(f, &g->inner_radius);
-	for (k = 0; k < count; ++k)
-		float_pass(f, vectors + k);
+	static const cni_field fields[] = {
+		{ offsetof(cni_geometry, radius), 1, CNI_FIELD_FLOAT }, { offsetof(cni_geometry, centroid), 2, CNI_FIELD_FLOAT },
+		{ offsetof(cni_geometry, extent), 1, CNI_FIELD_FLOAT }, { offsetof(cni_geometry, inner_radius), 1, CNI_FIELD_FLOAT }
+	};
+	static const cni_field vector_fields[] = { { 0, 2, CNI_FIELD_FLOAT } };
+	static const cni_record record = { fields, 4, (int32_t)sizeof(cni_geometry) }, vector = { vector_fields, 1, (int32_t)sizeof(cni_vec2) };
+	uint32_t k, vectors = (geometry_words(g->type, (uint32_t)g->count) - 7u) / 2u;
+	cni_file_record(f, &record, g, 5 * 4);
+	for (k = 0; k < vectors; ++k)
+		cni_file_record(f, &vector, (cni_vec2 *)(void *)(g + 1) + k, 2 * 4);
 }
 
 /* Without it a body's extent would not span the shape after its mass changes. */
@@ -70,10 +58,7 @@ static void geometry_read(cn_world *world, cni_file *f, cni_shape *s)
 {
 	uint32_t count = cni_file_word(f, 0), seams = cni_file_word(f, 0);
 	cni_geometry *g;
-	if (f->result == CN_OK && !points_are_possible(s->type, count, seams))
-		cni_file_fail(f, CN_ERROR_FORMAT);
-	if (f->result == CN_OK && cni_file_left(f) / 4u < geometry_words(s->type, count) - 2u)
-		cni_file_fail(f, CN_ERROR_FORMAT);
+	cni_file_need(f, points_are_possible(s->type, count, seams) && cni_file_left(f) / 4u >= geometry_words(s->type, count) - 2u, CN_ERROR_FORMAT);
 	if (f->result != CN_OK)
 		return;
 	s->geometry = cni_blocks_alloc(&world->blocks, cni_shape_piece_bytes(world, s->type, (int32_t)count));
@@ -87,8 +72,8 @@ static void geometry_read(cn_world *world, cni_file *f, cni_shape *s)
 	g->count = (int32_t)count;
 	g->seams = seams;
 	geometry_pass(f, g);
-	if (g->radius < 0.0f || g->inner_radius < 0.0f || !extent_spans_points(g))
-		cni_file_fail(f, CN_ERROR_FORMAT);
+	if (f->result == CN_OK)
+		cni_file_need(f, g->radius >= 0.0f && g->inner_radius >= 0.0f && extent_spans_points(g), CN_ERROR_FORMAT);
 	s->box.proxy = CNI_NONE;
 	if (s->type == CN_SHAPE_CHAIN)
 		s->box.proxies = 0;
@@ -102,45 +87,25 @@ static void geometry_write(const cn_world *world, cni_file *f, const cni_shape *
 	geometry_pass(f, g);
 }
 
-static uint64_t geometries_words(const cn_world *world)
-{
-	uint64_t words = 0;
-	int32_t k;
-	for (k = cni_handles_next(&world->shape_handles, 0); k != CNI_NONE; k = cni_handles_next(&world->shape_handles, k + 1)) {
-		const cni_shape *s = cni_shape_at(world, k);
-		words += geometry_words(s->type, (uint32_t)cni_shape_geometry(&world->blocks, s)->count);
-	}
-	return words;
-}
-
 static void geometries_pass(cn_world *world, cni_file *f)
 {
 	int32_t k;
-	(void)cni_file_chunk_exact(f, "GEOM", 4, f->mode == CNI_FILE_READ ? 0 : (int32_t)geometries_words(world));
+	(void)cni_file_chunk_begin(f, "GEOM", 4);
 	for (k = cni_handles_next(&world->shape_handles, 0); k != CNI_NONE && f->result == CN_OK; k = cni_handles_next(&world->shape_handles, k + 1)) {
 		if (f->mode == CNI_FILE_READ)
 			geometry_read(world, f, cni_shape_at(world, k));
 		else
 			geometry_write(world, f, cni_shape_at(world, k));
 	}
-	if (f->mode == CNI_FILE_READ && cni_file_left(f) > 0)
-		cni_file_fail(f, CN_ERROR_FORMAT);
+	cni_file_chunk_end(f, 4);
 }
 
 /* ---- materials' user ids: shape, id */
 
-static int32_t material_ids_count(const cn_world *world)
-{
-	int32_t count = 0, k;
-	for (k = cni_handles_next(&world->shape_handles, 0); k != CNI_NONE; k = cni_handles_next(&world->shape_handles, k + 1))
-		count += cni_shape_material_id(&world->blocks, cni_shape_at(world, k)) != 0;
-	return count;
-}
-
 static void material_ids_write(cn_world *world, cni_file *f)
 {
 	int32_t k;
-	(void)cni_file_chunk_exact(f, "SMAT", 8, material_ids_count(world));
+	(void)cni_file_chunk_begin(f, "SMAT", 8);
 	for (k = cni_handles_next(&world->shape_handles, 0); k != CNI_NONE; k = cni_handles_next(&world->shape_handles, k + 1)) {
 		uint32_t id = cni_shape_material_id(&world->blocks, cni_shape_at(world, k));
 		if (id == 0)
@@ -148,11 +113,12 @@ static void material_ids_write(cn_world *world, cni_file *f)
 		(void)cni_file_word(f, (uint32_t)k);
 		(void)cni_file_word(f, id);
 	}
+	cni_file_chunk_end(f, 8);
 }
 
 static void material_ids_read(cn_world *world, cni_file *f)
 {
-	int32_t count = cni_file_chunk_exact(f, "SMAT", 8, 0), k;
+	int32_t count = cni_file_chunk_begin(f, "SMAT", 8), k;
 	for (k = 0; k < count && f->result == CN_OK; ++k) {
 		uint32_t shape = cni_file_word(f, 0), id = cni_file_word(f, 0);
 		cni_shape *s;
@@ -178,25 +144,20 @@ static const char *name_of(const cn_world *world, int32_t body)
 
 static void names_write(cn_world *world, cni_file *f)
 {
-	int32_t pass, k, bytes = 0;
-	for (pass = 0; pass < 2; ++pass) {
-		if (pass == 1)
-			(void)cni_file_chunk_exact(f, "NAME", 1, bytes);
-		for (k = 0; k < world->body_handles.slots.count; ++k) {
-			const char *name = name_of(world, k);
-			uint8_t length = 0;
-			if (name == NULL)
-				continue;
-			while (name[length] != 0) /* at most CN_NAME_MAX_BYTES */
-				++length;
-			bytes += 5 + length;
-			if (pass == 0)
-				continue;
-			(void)cni_file_word(f, (uint32_t)k);
-			cni_file_raw(f, &length, 1);
-			cni_file_raw(f, (uint8_t *)(uintptr_t)name, length); /* which is only read */
-		}
+	int32_t k;
+	(void)cni_file_chunk_begin(f, "NAME", 1);
+	for (k = 0; k < world->body_handles.slots.count; ++k) {
+		const char *name = name_of(world, k);
+		uint8_t length = 0;
+		if (name == NULL)
+			continue;
+		while (name[length] != 0) /* at most CN_NAME_MAX_BYTES */
+			++length;
+		(void)cni_file_word(f, (uint32_t)k);
+		cni_file_raw(f, &length, 1);
+		cni_file_raw(f, (uint8_t *)(uintptr_t)name, length); /* which is only read */
 	}
+	cni_file_chunk_end(f, 1);
 }
 
 static void name_read(cn_world *world, cni_file *f)
@@ -204,7 +165,7 @@ static void name_read(cn_world *world, cni_file *f)
 	uint32_t body = cni_file_word(f, 0);
 	uint8_t length = 0;
 	char name[CN_NAME_MAX_BYTES + 1];
-	cn_result named;
+	cn_result named = CN_OK;
 	memset(name, 0, sizeof name);
 	cni_file_raw(f, &length, 1);
 	if (f->result != CN_OK || body >= (uint32_t)world->body_handles.slots.count || length == 0 || length > CN_NAME_MAX_BYTES || name_of(world, (int32_t)body) != NULL ||
@@ -213,14 +174,14 @@ static void name_read(cn_world *world, cni_file *f)
 		return;
 	}
 	cni_file_raw(f, (uint8_t *)name, length);
-	named = f->result == CN_OK ? cn_body_set_name(world, cni_handles_of(&world->body_handles, (int32_t)body), name) : CN_OK;
-	if (named != CN_OK)
-		cni_file_fail(f, named);
+	if (f->result == CN_OK)
+		named = cn_body_set_name(world, cni_handles_of(&world->body_handles, (int32_t)body), name);
+	cni_file_need(f, named == CN_OK, named);
 }
 
 static void names_read(cn_world *world, cni_file *f)
 {
-	(void)cni_file_chunk_exact(f, "NAME", 1, 0);
+	(void)cni_file_chunk_begin(f, "NAME", 1);
 	while (cni_file_left(f) > 0)
 		name_read(world, f);
 }
@@ -302,8 +263,7 @@ void cni_file_counts(cn_world *world, cni_file *f)
 	cni_dummy_stand(world);
 	good = cni_body_reserve(world, 0) == CN_OK && cni_lane_reserve(world, world->touching_count) && cni_contact_reserve(world, 0) == CN_OK &&
 	       (!world->memory.fixed || cni_contact_reserve_reports(world, world->contacts_reporting)) && cni_island_reserve(world, 0) && cni_joint_reserve(world, 0) == CN_OK;
-	if (!good)
-		cni_file_fail(f, CN_ERROR_MEMORY);
+	cni_file_need(f, good, CN_ERROR_MEMORY);
 }
 
 /* ---- boxes ---- */
@@ -416,8 +376,8 @@ void cni_file_contacts(cn_world *world, cni_file *f)
 	for (k = 0; k < world->contact_used && f->result == CN_OK; ++k)
 		if (cni_contact_at(world, k)->body[0] != CNI_NONE)
 			contact_set_static(world, cni_contact_at(world, k));
-	if (f->result == CN_OK && cni_file_needs_extra(world) && !cni_lane_reserve_extra(world))
-		cni_file_fail(f, CN_ERROR_MEMORY);
+	if (f->result == CN_OK && cni_file_needs_extra(world))
+		cni_file_need(f, cni_lane_reserve_extra(world), CN_ERROR_MEMORY);
 }
 
 void cni_file_boxes(cn_world *world, cni_file *f)

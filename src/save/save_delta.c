@@ -79,11 +79,7 @@ static void put_runs(writer *w, const pair *p)
 static void delta_put(writer *w, const void *base, uint64_t base_bytes, const void *save, uint64_t save_bytes)
 {
 	uint64_t header[4] = { MAGIC, 0, 0, 0 };
-	pair p;
-	p.base = (const uint8_t *)base;
-	p.save = (const uint8_t *)save;
-	p.base_words = base_bytes / WORD;
-	p.save_words = save_bytes / WORD;
+	const pair p = { (const uint8_t *)base, (const uint8_t *)save, base_bytes / WORD, save_bytes / WORD };
 	header[2] = cni_save_checksum(base, base_bytes);
 	header[3] = save_bytes;
 	put(w, header, sizeof header);
@@ -168,8 +164,8 @@ cn_result cn_save_apply(const void *base, uint64_t base_bytes, const void *delta
 {
 	cni_call call = cni_enter_free();
 	const uint8_t *from = (const uint8_t *)delta;
+	pair p = { (const uint8_t *)base, NULL, base_bytes / WORD, 0 };
 	uint64_t bytes, tail;
-	pair p;
 	cni_check_pointer(&call, "base", base);
 	cni_check_pointer(&call, "delta", delta);
 	cni_check_pointer(&call, "out", out);
@@ -181,9 +177,6 @@ cn_result cn_save_apply(const void *base, uint64_t base_bytes, const void *delta
 	tail = bytes % WORD;
 	if (bytes > capacity)
 		return CN_ERROR_CAPACITY;
-	p.base = (const uint8_t *)base;
-	p.save = NULL;
-	p.base_words = base_bytes / WORD;
 	p.save_words = bytes / WORD;
 	if (delta_bytes - HEADER_BYTES < tail || !runs_apply(&p, from + HEADER_BYTES, delta_bytes - HEADER_BYTES - tail, (uint8_t *)out))
 		return CN_ERROR_FORMAT;
