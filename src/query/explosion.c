@@ -41,7 +41,7 @@ static float explosion_visit(void *context, int32_t proxy, float limit)
 	cni_nearest n;
 	if (!cni_query_target_of(e->sight, proxy, &t) || cni_sight_hides_one_way(e->sight, t.shape) || t.body->type != CN_BODY_DYNAMIC)
 		return limit;
-	n = cni_geometry_nearest(t.geometry, t.child, cni_query_to_local(t.body, e->def->center_m));
+	n = cni_geometry_nearest(t.geometry, t.child, cni_body_to_local(t.body, e->def->center_m));
 	if (n.distance > e->def->radius_m + e->def->falloff_m || cni_sight_ask_target(e->sight, &t) == CN_QUERY_SKIP)
 		return limit;
 	if (e->keys != NULL && e->count == e->capacity)
@@ -87,7 +87,7 @@ static void piece_push(const explosion *e, const cni_body *b, uint64_t key, cn_v
 	const cni_shape *s = cni_shape_at(e->world, (int32_t)(key >> 16 & 0xFFFFFu));
 	const cni_geometry *g = cni_shape_geometry(&e->world->blocks, s);
 	int32_t child = (int32_t)(key & 0xFFFFu);
-	cni_vec2 center = cni_query_to_local(b, e->def->center_m);
+	cni_vec2 center = cni_body_to_local(b, e->def->center_m);
 	cni_nearest n = cni_geometry_nearest(g, child, center);
 	cni_vec2 point = n.distance > 0.0f ? n.point : g->centroid;
 	cni_vec2 direction = n.distance > 0.0f ? cni_neg(n.normal) : cni_normalize(cni_sub(point, center));

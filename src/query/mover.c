@@ -44,8 +44,7 @@ static void check_def(cni_call *call, const cn_mover_def *def)
 	cni_check_flags(call, "flags", def->flags, CN_MOVER_DROP);
 	cni_check_range(call, "up.x", def->up.x, -1e6f, 1e6f);
 	cni_check_range(call, "up.y", def->up.y, -1e6f, 1e6f);
-	if (call->result == CN_OK && !(cni_length(def->up) > 1e-6f))
-		cni_refuse(call, CN_ERROR_ARGUMENT, "up must have a length > 0");
+	cni_check(call, cni_length(def->up) > 1e-6f, CN_ERROR_ARGUMENT, "up must have a length > 0");
 	cni_check_range(call, "slope_limit_rad", def->slope_limit_rad, 0.0f, 0.5f * CNI_PI);
 	cni_check_range(call, "step_height_m", def->step_height_m, 0.0f, CNI_COORDINATE_MAX);
 	cni_check_range(call, "snap_m", def->snap_m, 0.0f, CNI_COORDINATE_MAX);
@@ -87,7 +86,7 @@ static cni_region core_of(const cni_region *full, const cni_geometry *g, float s
 static void move_begin(cni_move *m, cn_world *world, const cn_mover_def *def, const cni_region *region, cn_mover *mover, float dt)
 {
 	float slop = world->settings.slop;
-	cn_polygon from_origin;
+	cn_polygon from_origin = cni_region_polygon(region);
 	m->world = world;
 	m->def = def;
 	m->mover = mover;
@@ -98,7 +97,6 @@ static void move_begin(cni_move *m, cn_world *world, const cn_mover_def *def, co
 	m->right = cni_right_perp(m->up);
 	m->walkable = cni_sincos(def->slope_limit_rad).c;
 	m->planes.count = 0;
-	from_origin = cni_region_polygon(region);
 	cni_solid_make(&from_origin, &m->solid);
 	m->full = *region;
 	m->core = core_of(region, &m->solid.g, m->skin);
@@ -120,7 +118,7 @@ static void carry(cni_move *m)
 	if (!(mover->flags & CN_MOVER_ON_GROUND) || body == CNI_NONE)
 		return;
 	if (cni_body_at(m->world, body)->type != CN_BODY_STATIC)
-		way = cni_sub(cni_query_to_world(cni_body_at(m->world, body), mover->ground_local_m), mover->ground_point_m);
+		way = cni_sub(cni_body_to_world(cni_body_at(m->world, body), mover->ground_local_m), mover->ground_point_m);
 	if (shape != CNI_NONE)
 		way = cni_madd(way, cni_shape_at(m->world, shape)->tangent_speed * m->dt, cni_right_perp(mover->ground_normal));
 	if (way.x != 0.0f || way.y != 0.0f)

@@ -34,9 +34,9 @@ static void ground_set(cni_move *m, cn_body body, cn_shape shape, cni_vec2 point
 	mover->ground_body = body;
 	mover->ground_shape = shape;
 	mover->ground_normal = normal;
-	mover->ground_local_m = cni_query_to_local(b, point);
+	mover->ground_local_m = cni_body_to_local(b, point);
 	/* Computed as in the next move, so that a body at rest carries the mover by exactly 0. */
-	mover->ground_point_m = cni_query_to_world(b, mover->ground_local_m);
+	mover->ground_point_m = cni_body_to_world(b, mover->ground_local_m);
 	mover->ground_velocity_mps = cni_madd(cni_mover_velocity_at(m->world, body, point), s->tangent_speed, cni_right_perp(normal));
 }
 

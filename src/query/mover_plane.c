@@ -48,7 +48,7 @@ static cni_transform target_in_region(const cni_query_target *t, const cni_regio
 {
 	cni_transform x;
 	x.q = t->body->q;
-	x.t = cni_neg(cni_rotate(x.q, cni_query_to_local(t->body, region->origin)));
+	x.t = cni_neg(cni_rotate(x.q, cni_body_to_local(t->body, region->origin)));
 	return x;
 }
 
@@ -87,7 +87,7 @@ static int32_t one_way_lets_pass(const cni_sight *sight, const cni_query_target 
 {
 	if (!cni_sight_hides_one_way(sight, t->shape))
 		return 0;
-	return !(cni_dot(cni_query_turn_to_world(t->body, cni_v(0.0f, 1.0f)), p->normal) > CNI_ONE_WAY_COSINE) ||
+	return !(cni_dot(cni_rotate(t->body->q, cni_v(0.0f, 1.0f)), p->normal) > CNI_ONE_WAY_COSINE) ||
 	       p->separation_m < -sight->world->settings.slop - risen(sight->world, p);
 }
 
@@ -163,12 +163,8 @@ static int32_t drop_hidden(const cni_sight *sight, const cni_region *region, cn_
 void cni_planes_find(const cni_sight *sight, const cni_region *region, const cni_solid *solid, float margin, cn_plane *out, int32_t capacity,
 	int32_t *out_count)
 {
-	plane_query q;
+	plane_query q = { sight, region, solid, margin, { NULL, 0, 0, 0, 0, NULL } };
 	cni_aabb box = cni_box_fatten(cni_region_box(region, cni_v(0.0f, 0.0f)), margin);
-	q.sight = sight;
-	q.region = region;
-	q.solid = solid;
-	q.margin = margin;
 	cni_first_begin(&q.found, out, (int32_t)sizeof *out, capacity, plane_before);
 	sight->world->broadphase_ops->query(sight->world->broadphase, &box, plane_visit, &q);
 	cni_first_end(&q.found);
@@ -370,21 +366,20 @@ cn_result cn_mover_collide(const cn_world *world, const cn_polygon *shape, float
 	const cn_query_filter *filter, cn_plane *out, int32_t capacity, int32_t *out_count)
 {
 	cni_call call = cni_enter_const(world);
+	cni_vec2 position = { position_x_m, position_y_m };
 	cni_sight sight = cni_check_filter(&call, filter);
 	cni_region region;
 	cni_solid solid;
 	cn_polygon from_origin;
 	cni_check_region(&call, shape, &region);
-	if (call.result == CN_OK)
-		cni_check_position(&call, "position_m", cni_v(position_x_m, position_y_m));
-	if (call.result == CN_OK)
-		cni_check_range(&call, "margin_m", margin_m, 0.0f, CNI_COORDINATE_MAX);
+	cni_check_position(&call, "position_m", position);
+	cni_check_range(&call, "margin_m", margin_m, 0.0f, CNI_COORDINATE_MAX);
 	cni_check_output(&call, out, capacity, out_count);
 	if (call.result != CN_OK)
 		return call.result;
 	from_origin = cni_region_polygon(&region);
 	cni_solid_make(&from_origin, &solid);
-	region.origin = cni_add(region.origin, cni_v(position_x_m, position_y_m));
+	region.origin = cni_add(region.origin, position);
 	sight.without = CN_SHAPE_SENSOR;
 	cni_planes_find(&sight, &region, &solid, margin_m, out, capacity, out_count);
 	return CN_OK;
@@ -399,8 +394,7 @@ static void check_planes(cni_call *call, const cn_plane *planes, int32_t count)
 		float length_sq = cni_length_sq(planes[i].normal);
 		cni_check_range(call, "separation_m", planes[i].separation_m, -1e9f, 1e9f);
 		cni_check_at_least(call, "push_max_m", planes[i].push_max_m, 0.0f);
-		if (call->result == CN_OK && !(length_sq > 0.98f && length_sq < 1.02f))
-			cni_refuse(call, CN_ERROR_ARGUMENT, "normals must be of unit length");
+		cni_check(call, length_sq > 0.98f && length_sq < 1.02f, CN_ERROR_ARGUMENT, "normals must be of unit length");
 	}
 }
 
@@ -409,14 +403,12 @@ cn_result cn_mover_solve(cn_plane *planes, int32_t count, float translation_x_m,
 {
 	cni_call call = cni_enter_free();
 	check_planes(&call, planes, count);
-	cni_check_range(&call, "translation_x_m", translation_x_m, -1e9f, 1e9f);
-	cni_check_range(&call, "translation_y_m", translation_y_m, -1e9f, 1e9f);
+	cni_check_within(&call, "translation_m", cni_v(translation_x_m, translation_y_m), 1e9f);
 	cni_check_pointer(&call, "out_translation_m", out_translation_m);
 	cni_check_pointer(&call, "out_overlap_m", out_overlap_m);
-	if (call.result != CN_OK)
-		return call.result;
-	*out_translation_m = cni_planes_solve(planes, count, cni_v(translation_x_m, translation_y_m), out_overlap_m);
-	return CN_OK;
+	if (call.result == CN_OK)
+		*out_translation_m = cni_planes_solve(planes, count, cni_v(translation_x_m, translation_y_m), out_overlap_m);
+	return call.result;
 }
 
 cn_result cn_mover_clip(const cn_plane *planes, int32_t count, float velocity_x_mps, float velocity_y_mps, cn_vec2 *out_mps)
@@ -428,8 +420,7 @@ cn_result cn_mover_clip(const cn_plane *planes, int32_t count, float velocity_x_
 	check_planes(&call, planes, count);
 	for (i = 0; i < count && call.result == CN_OK; ++i)
 		cni_check_finite(&call, "push_m", planes[i].push_m);
-	cni_check_range(&call, "velocity_x_mps", velocity_x_mps, -1e9f, 1e9f);
-	cni_check_range(&call, "velocity_y_mps", velocity_y_mps, -1e9f, 1e9f);
+	cni_check_within(&call, "velocity_mps", cni_v(velocity_x_mps, velocity_y_mps), 1e9f);
 	cni_check_pointer(&call, "out_mps", out_mps);
 	if (call.result != CN_OK)
 		return call.result;

@@ -93,28 +93,6 @@ int32_t cni_sight_ask_target(const cni_sight *sight, const cni_query_target *t)
 	return cni_sight_ask(sight, &hit);
 }
 
-/* ------------------------------------------------------------------ frames */
-
-cni_vec2 cni_query_to_local(const cni_body *body, cni_vec2 point)
-{
-	return body != NULL ? cni_body_to_local(body, point) : point;
-}
-
-cni_vec2 cni_query_to_world(const cni_body *body, cni_vec2 local)
-{
-	return body != NULL ? cni_body_to_world(body, local) : local;
-}
-
-cni_vec2 cni_query_turn_to_local(const cni_body *body, cni_vec2 vector)
-{
-	return body != NULL ? cni_unrotate(body->q, vector) : vector;
-}
-
-cni_vec2 cni_query_turn_to_world(const cni_body *body, cni_vec2 local)
-{
-	return body != NULL ? cni_rotate(body->q, local) : local;
-}
-
 /* ------------------------------------------------------------------ region */
 
 cn_polygon cni_region_polygon(const cni_region *region)
@@ -186,12 +164,10 @@ cni_aabb cni_region_box(const cni_region *region, cni_vec2 offset)
 
 cni_transform cni_region_in(const cni_region *region, const cni_body *body)
 {
-	cni_transform x = cni_identity();
-	x.t = cni_query_to_local(body, region->origin);
-	if (body != NULL) {
-		x.q.c = body->q.c;
-		x.q.s = -body->q.s;
-	}
+	cni_transform x;
+	x.t = cni_body_to_local(body, region->origin);
+	x.q.c = body->q.c;
+	x.q.s = -body->q.s;
 	return x;
 }
 

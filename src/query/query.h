@@ -1,6 +1,6 @@
 /*
- * query/query.h - shared by all queries: which shapes they see, transforms between world and body frames, the
- * convex region that is tested or moved, and lists that keep the first items of a stream in order.
+ * query/query.h - shared by all queries: which shapes they see, the convex region that is tested or moved, and lists that
+ * keep the first items of a stream in order.
  *
  * Queries only read: they may run on several threads at once and allocate nothing. Results do not depend on
  * the order in which the broadphase visits boxes: shape and child order equal results.
@@ -14,7 +14,7 @@
 /* One broadphase box that a query visits. */
 typedef struct cni_query_target {
 	const cni_shape *shape;
-	const cni_body *body;          /* NULL for an unattached shape: its frame is the world */
+	const cni_body *body;          /* NULL for an unattached shape (cn_shape_cast_ray): its frame is the world */
 	const cni_geometry *geometry;
 	int32_t index;                 /* of the shape */
 	int32_t child;
@@ -42,12 +42,6 @@ static inline int32_t cni_sight_hides_one_way(const cni_sight *sight, const cni_
 int32_t cni_sight_ask(const cni_sight *sight, const cn_ray_hit *hit);
 /* The same for a shape without a hit. */
 int32_t cni_sight_ask_target(const cni_sight *sight, const cni_query_target *t);
-
-/* Transforms between the world and a body's frame, by differences from its centre of mass; body may be NULL: identity. */
-cni_vec2 cni_query_to_local(const cni_body *body, cni_vec2 point);
-cni_vec2 cni_query_to_world(const cni_body *body, cni_vec2 local);
-cni_vec2 cni_query_turn_to_local(const cni_body *body, cni_vec2 vector);
-cni_vec2 cni_query_turn_to_world(const cni_body *body, cni_vec2 local);
 
 /* The order of results at the same distance: by shape, then by child. */
 static inline int32_t cni_part_before(cn_shape shape, int32_t child, cn_shape other, int32_t other_child)

@@ -38,8 +38,8 @@ static void hit_make(const cn_world *world, const cni_query_target *t, const cni
 	out->fraction = hit->fraction;
 	out->depth_m = hit->depth;
 	out->reserved = 0;
-	out->point_m = cni_query_to_world(t->body, hit->point);
-	out->normal = cni_query_turn_to_world(t->body, hit->normal);
+	out->point_m = t->body != NULL ? cni_body_to_world(t->body, hit->point) : hit->point;
+	out->normal = t->body != NULL ? cni_rotate(t->body->q, hit->normal) : hit->normal;
 }
 
 static cn_ray_hit hit_none(void)
@@ -88,11 +88,10 @@ static void ray_run(ray_query *q, cni_query_fn *visit)
 /* Casts against the shape of one box; 0 for a miss. */
 static int32_t ray_cast(const ray_query *q, const cni_query_target *t, cn_ray_hit *out)
 {
-	cni_vec2 translation = cni_query_turn_to_local(t->body, q->translation);
+	cni_vec2 origin = t->body != NULL ? cni_body_to_local(t->body, q->origin) : q->origin;
+	cni_vec2 translation = t->body != NULL ? cni_unrotate(t->body->q, q->translation) : q->translation;
 	cni_cast_hit hit;
-	if (!cni_cast_ray(t->geometry, t->child, cni_query_to_local(t->body, q->origin), translation, &hit))
-		return 0;
-	if (!is_met(q->sight, t, &hit, translation))
+	if (!cni_cast_ray(t->geometry, t->child, origin, translation, &hit) || !is_met(q->sight, t, &hit, translation))
 		return 0;
 	hit_make(q->sight->world, t, &hit, out);
 	return 1;
@@ -174,10 +173,9 @@ cn_result cn_world_cast_ray(const cn_world *world, const cn_ray *ray, const cn_q
 	cni_sight sight = cni_check_filter(&call, filter);
 	check_ray(&call, ray);
 	cni_check_pointer(&call, "out", out);
-	if (call.result != CN_OK)
-		return call.result;
-	*out = cni_ray_cast(&sight, ray->origin_m, ray->translation_m);
-	return CN_OK;
+	if (call.result == CN_OK)
+		*out = cni_ray_cast(&sight, ray->origin_m, ray->translation_m);
+	return call.result;
 }
 
 cn_result cn_world_cast_ray_any(const cn_world *world, const cn_ray *ray, const cn_query_filter *filter, int32_t *out_hit)
@@ -280,7 +278,7 @@ static float shape_visit(void *context, int32_t proxy, float limit)
 	cn_ray_hit made;
 	if (!sweep_may_meet(q, &cni_proxy_at(q->sight->world, proxy)->fat) || !cni_query_target_of(q->sight, proxy, &t))
 		return limit;
-	translation = cni_query_turn_to_local(t.body, q->translation);
+	translation = cni_unrotate(t.body->q, q->translation);
 	if (!cni_cast_points(t.geometry, t.child, moving, q->region->center, cni_region_in(q->region, t.body), translation, &hit) ||
 	    !is_met(q->sight, &t, &hit, translation))
 		return limit;
@@ -323,8 +321,7 @@ cn_result cn_world_cast_shape(const cn_world *world, const cn_polygon *shape, fl
 	cni_check_region(&call, shape, &region);
 	cni_check_translation(&call, translation);
 	cni_check_pointer(&call, "out", out);
-	if (call.result != CN_OK)
-		return call.result;
-	*out = cni_region_cast(&sight, &region, translation);
-	return CN_OK;
+	if (call.result == CN_OK)
+		*out = cni_region_cast(&sight, &region, translation);
+	return call.result;
 }

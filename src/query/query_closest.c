@@ -44,15 +44,15 @@ static float closest_visit(void *context, int32_t proxy, float limit)
 		return limit;
 	if (!cni_query_target_of(q->sight, proxy, &t) || cni_sight_hides_one_way(q->sight, t.shape))
 		return limit;
-	n = cni_geometry_nearest(t.geometry, t.child, cni_query_to_local(t.body, q->point));
+	n = cni_geometry_nearest(t.geometry, t.child, cni_body_to_local(t.body, q->point));
 	if (n.distance > q->distance_max || !is_closer(q, &t, n.distance) || cni_sight_ask_target(q->sight, &t) == CN_QUERY_SKIP)
 		return limit;
 	q->best.shape = cni_handles_of(&world->shape_handles, t.index);
 	q->best.body = cni_handle_or_zero(&world->body_handles, t.shape->body);
 	q->best.child = t.child;
 	q->best.distance_m = n.distance;
-	q->best.point_m = cni_query_to_world(t.body, n.point);
-	q->best.normal = cni_query_turn_to_world(t.body, n.normal);
+	q->best.point_m = cni_body_to_world(t.body, n.point);
+	q->best.normal = cni_rotate(t.body->q, n.normal);
 	return limit;
 }
 

@@ -42,7 +42,7 @@ static int32_t test_region(const overlap_query *q, const cni_query_target *t)
 
 static int32_t test_point(const overlap_query *q, const cni_query_target *t)
 {
-	return cni_geometry_contains(t->geometry, cni_query_to_local(t->body, q->point));
+	return cni_geometry_contains(t->geometry, cni_body_to_local(t->body, q->point));
 }
 
 /* ------------------------------------------------------------------ finding */
@@ -140,8 +140,7 @@ cn_result cn_world_overlap_aabb(const cn_world *world, const cn_aabb *box, const
 		return call.result;
 	cni_check_position(&call, "lower_m", box->lower_m);
 	cni_check_position(&call, "upper_m", box->upper_m);
-	if (!(box->lower_m.x <= box->upper_m.x && box->lower_m.y <= box->upper_m.y))
-		cni_refuse(&call, CN_ERROR_ARGUMENT, "lower_m must not be above upper_m");
+	cni_check(&call, box->lower_m.x <= box->upper_m.x && box->lower_m.y <= box->upper_m.y, CN_ERROR_ARGUMENT, "lower_m must not be above upper_m");
 	if (call.result != CN_OK)
 		return call.result;
 	q.test = test_box;

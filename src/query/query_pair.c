@@ -23,15 +23,12 @@ static void check_points(cni_call *call, const cn_polygon *p)
 	const char *wrong;
 	cni_check_range_int(call, "count", p->count, 1, CN_POLYGON_MAX_VERTICES);
 	cni_check_range(call, "radius_m", p->radius_m, 0.0f, CNI_COORDINATE_MAX);
-	for (i = 0; i < p->count && call->result == CN_OK; ++i) {
-		cni_check_range(call, "points_m", p->points_m[i].x, -CNI_COORDINATE_MAX, CNI_COORDINATE_MAX);
-		cni_check_range(call, "points_m", p->points_m[i].y, -CNI_COORDINATE_MAX, CNI_COORDINATE_MAX);
-	}
+	for (i = 0; i < p->count && call->result == CN_OK; ++i)
+		cni_check_within(call, "points_m", p->points_m[i], CNI_COORDINATE_MAX);
 	if (call->result != CN_OK)
 		return;
 	wrong = cni_check_convex(p, CNI_THICKNESS_LEAST);
-	if (wrong != NULL)
-		cni_refuse(call, CN_ERROR_ARGUMENT, wrong);
+	cni_check(call, wrong == NULL, CN_ERROR_ARGUMENT, wrong);
 }
 
 void cni_solid_make(const cn_polygon *p, cni_solid *out)
@@ -59,12 +56,6 @@ static void check_solid(cni_call *call, const char *field, const cn_polygon *p, 
 		cni_solid_make(p, out);
 }
 
-static void check_far(cni_call *call, const char *field, cn_vec2 v, float most)
-{
-	cni_check_range(call, field, v.x, -most, most);
-	cni_check_range(call, field, v.y, -most, most);
-}
-
 static void check_pose(cni_call *call, const char *field, const cn_pose *pose, cni_transform *out)
 {
 	float length_sq;
@@ -72,10 +63,9 @@ static void check_pose(cni_call *call, const char *field, const cn_pose *pose, c
 	cni_check_pointer(call, field, pose);
 	if (call->result != CN_OK)
 		return;
-	check_far(call, "position_m", pose->position_m, CNI_COORDINATE_MAX);
+	cni_check_within(call, "position_m", pose->position_m, CNI_COORDINATE_MAX);
 	length_sq = pose->cosine * pose->cosine + pose->sine * pose->sine;
-	if (call->result == CN_OK && !(length_sq > 0.98f && length_sq < 1.02f))
-		cni_refuse(call, CN_ERROR_ARGUMENT, "cosine and sine must be those of an angle");
+	cni_check(call, length_sq > 0.98f && length_sq < 1.02f, CN_ERROR_ARGUMENT, "cosine and sine must be those of an angle");
 	out->q.c = pose->cosine;
 	out->q.s = pose->sine;
 	out->t = pose->position_m;
@@ -155,7 +145,7 @@ cn_result cn_polygon_cast(const cn_polygon *a, const cn_pose *pose_a, const cn_p
 	cni_cast_hit hit;
 	pair p;
 	check_pair(&call, a, pose_a, b, pose_b, &p);
-	check_far(&call, "translation", translation, 2.0f * CNI_COORDINATE_MAX);
+	cni_check_within(&call, "translation", translation, 2.0f * CNI_COORDINATE_MAX);
 	cni_check_pointer(&call, "out", out);
 	cni_check_pointer(&call, "out_hit", out_hit);
 	if (call.result != CN_OK)
@@ -227,8 +217,8 @@ static void check_sweep(cni_call *call, const char *field, const cn_sweep *sweep
 	if (call->result != CN_OK)
 		return;
 	check_pose(call, field, &sweep->start, &start);
-	check_far(call, "center_m", sweep->center_m, CNI_COORDINATE_MAX);
-	check_far(call, "translation_m", sweep->translation_m, 2.0f * CNI_COORDINATE_MAX);
+	cni_check_within(call, "center_m", sweep->center_m, CNI_COORDINATE_MAX);
+	cni_check_within(call, "translation_m", sweep->translation_m, 2.0f * CNI_COORDINATE_MAX);
 	cni_check_angle(call, "turn_rad", sweep->turn_rad);
 	if (call->result != CN_OK)
 		return;

@@ -17,7 +17,7 @@ static const uint8_t magic[8] = { 'C', 'a', 'i', 'r', 'n', 'W', 'l', 'd' };
 
 static uint64_t file_bytes(const cn_world *world)
 {
-	cni_file f = cni_file_measure();
+	cni_file f = cni_file_begin(CNI_FILE_MEASURE, NULL);
 	cni_file_world((cn_world *)(uintptr_t)world, &f); /* which only reads */
 	return HEADER_BYTES + f.bytes;
 }
@@ -45,7 +45,7 @@ cn_result cn_world_write(const cn_world *world, void *out, uint64_t capacity, ui
 	bytes = file_bytes(world);
 	if (capacity < bytes)
 		return CN_ERROR_CAPACITY;
-	f = cni_file_write(to + HEADER_BYTES);
+	f = cni_file_begin(CNI_FILE_WRITE, to + HEADER_BYTES);
 	cni_file_world((cn_world *)(uintptr_t)world, &f);
 	memcpy(to, magic, sizeof magic);
 	cni_file_put(to + 8, VERSION, 4);

@@ -77,9 +77,9 @@ typedef struct cni_file {
 
 /* ---- file_codec.c */
 
-cni_file cni_file_measure(void);
-cni_file cni_file_write(uint8_t *out);
-/* Checks the chunks' frames. */
+/* MEASURE, or WRITE to out. */
+cni_file cni_file_begin(int32_t mode, uint8_t *out);
+/* READ: checks the chunks' frames. */
 cni_file cni_file_read(const uint8_t *chunks, uint64_t bytes);
 void cni_file_fail(cni_file *f, cn_result result);
 /* Fails unless good. */

@@ -36,18 +36,11 @@ uint64_t cni_file_checksum(const uint8_t *bytes, uint64_t count)
 	return hash;
 }
 
-cni_file cni_file_measure(void)
+cni_file cni_file_begin(int32_t mode, uint8_t *out)
 {
 	cni_file f;
 	memset(&f, 0, sizeof f);
-	f.mode = CNI_FILE_MEASURE;
-	return f;
-}
-
-cni_file cni_file_write(uint8_t *out)
-{
-	cni_file f = cni_file_measure();
-	f.mode = CNI_FILE_WRITE;
+	f.mode = mode;
 	f.out = out;
 	return f;
 }
@@ -72,9 +65,8 @@ static uint64_t records_bytes(const uint8_t *head, uint64_t most)
 
 cni_file cni_file_read(const uint8_t *chunks, uint64_t bytes)
 {
-	cni_file f = cni_file_measure();
+	cni_file f = cni_file_begin(CNI_FILE_READ, NULL);
 	uint64_t at = 0;
-	f.mode = CNI_FILE_READ;
 	f.in = chunks;
 	f.bytes = bytes;
 	while (at < bytes) {
@@ -88,12 +80,12 @@ cni_file cni_file_read(const uint8_t *chunks, uint64_t bytes)
 	return f;
 }
 
-/* The head of a chunk; NULL: there is none, or more than one. */
+/* The head of a chunk; NULL: there is none, or more than one, or the file has failed. */
 static const uint8_t *chunk_find(const cni_file *f, const char *tag)
 {
 	const uint8_t *found = NULL;
 	uint64_t at;
-	for (at = 0; at < f->bytes; at += HEAD_BYTES + records_bytes(f->in + at, f->bytes)) {
+	for (at = 0; at < f->bytes && f->result == CN_OK; at += HEAD_BYTES + records_bytes(f->in + at, f->bytes)) {
 		if (memcmp(f->in + at, tag, 4) != 0)
 			continue;
 		if (found != NULL)
@@ -105,22 +97,19 @@ static const uint8_t *chunk_find(const cni_file *f, const char *tag)
 
 int32_t cni_file_has(const cni_file *f, const char *tag)
 {
-	return f->result == CN_OK && chunk_find(f, tag) != NULL;
+	return chunk_find(f, tag) != NULL;
 }
 
 int32_t cni_file_count(cni_file *f, const char *tag)
 {
-	const uint8_t *head = f->result == CN_OK ? chunk_find(f, tag) : NULL;
-	if (head == NULL) {
-		cni_file_fail(f, CN_ERROR_FORMAT);
-		return 0;
-	}
-	return (int32_t)cni_file_get(head + 8, 8);
+	const uint8_t *head = chunk_find(f, tag);
+	cni_file_need(f, head != NULL, CN_ERROR_FORMAT);
+	return head != NULL ? (int32_t)cni_file_get(head + 8, 8) : 0;
 }
 
 static int32_t chunk_open(cni_file *f, const char *tag, uint32_t least, uint32_t *stride)
 {
-	const uint8_t *head = f->result == CN_OK ? chunk_find(f, tag) : NULL;
+	const uint8_t *head = chunk_find(f, tag);
 	*stride = least;
 	if (head == NULL || cni_file_get(head + 4, 4) < least) {
 		cni_file_fail(f, CN_ERROR_FORMAT);

@@ -119,15 +119,12 @@ static void check_save(cni_call *call, const cn_world *world, const uint8_t *byt
 	memset(&h, 0, sizeof h);
 	if (count >= sizeof h)
 		memcpy(&h, bytes, sizeof h);
-	if (h.magic != own.magic)
-		cni_refuse(call, CN_ERROR_FORMAT, "save; these bytes are none of cn_world_save");
-	else if (h.layout != own.layout)
-		cni_refuse(call, CN_ERROR_FORMAT, "save; must be of this version of the library, and of this kind of machine");
-	else if (h.bytes != count)
-		cni_refuse(call, CN_ERROR_FORMAT, "bytes; must be as many as cn_world_save has written");
-	else if (h.broadphase != own.broadphase || h.fixed != own.fixed || h.length_unit != own.length_unit)
-		cni_refuse(call, CN_ERROR_STATE, "save; must be of a world with the same broadphase and length unit, and in a caller's block if this one is");
-	else if (h.checksum != cni_save_checksum(bytes + sizeof h, count - sizeof h))
+	cni_check(call, h.magic == own.magic, CN_ERROR_FORMAT, "save; these bytes are none of cn_world_save");
+	cni_check(call, h.layout == own.layout, CN_ERROR_FORMAT, "save; must be of this version of the library, and of this kind of machine");
+	cni_check(call, h.bytes == count, CN_ERROR_FORMAT, "bytes; must be as many as cn_world_save has written");
+	cni_check(call, h.broadphase == own.broadphase && h.fixed == own.fixed && h.length_unit == own.length_unit, CN_ERROR_STATE,
+	          "save; must be of a world with the same broadphase and length unit, and in a caller's block if this one is");
+	if (call->result == CN_OK && h.checksum != cni_save_checksum(bytes + sizeof h, count - sizeof h))
 		cni_refuse(call, CN_ERROR_FORMAT, "save; its bytes have been changed");
 }
 

@@ -51,8 +51,8 @@ static void def_check_numbers(cni_call *call, const cn_world_def *d)
 	cni_check_at_least_or_default(call, "accuracy_m", d->accuracy_m);
 	cni_check_work_budget(call, d->work_budget);
 	cni_check_at_least_or_default(call, "restitution_threshold_mps", d->restitution_threshold_mps);
-	cni_check_above_0_or_default(call, "push_speed_max_mps", d->push_speed_max_mps, FLT_MAX);
-	cni_check_above_0_or_default(call, "linear_speed_max_mps", d->linear_speed_max_mps, FLT_MAX);
+	cni_check_positive_or_default(call, "push_speed_max_mps", d->push_speed_max_mps);
+	cni_check_positive_or_default(call, "linear_speed_max_mps", d->linear_speed_max_mps);
 	cni_check_positive(call, "angular_speed_max_radps", d->angular_speed_max_radps);
 	cni_check_at_least_or_default(call, "sleep_speed_mps", d->sleep_speed_mps);
 	cni_check_at_least(call, "sleep_delay_s", d->sleep_delay_s, 0.0f);

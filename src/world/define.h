@@ -12,36 +12,27 @@
 /* Constraints are joint records. */
 typedef cni_joint cni_constraint;
 
-/*
- * Defines the public function cn_<noun>_get_<what>, which reads one value of a live record: value is an expression of `record` and
- * `world`.
- */
-#define CNI_DEFINE_GET(noun, what, type, value) \
-	cn_result cn_##noun##_get_##what(const cn_world *world, cn_##noun noun, type *out) \
+/* The body of a function that reads a live record: store is an expression of `record` and `world` that writes the results. */
+#define CNI_READ_RECORD(noun, no_place, store) \
 	{ \
 		const cni_##noun *record; \
 		if (world == NULL) \
 			return CN_ERROR_ARGUMENT; \
 		record = cni_live_##noun(world, noun); \
-		if (record == NULL || out == NULL) \
-			return record == NULL ? CN_ERROR_HANDLE : CN_ERROR_ARGUMENT; \
-		*out = value; \
-		return CN_OK; \
-	}
-
-/* The same for two values: store is an expression that writes *out_a and *out_b. */
-#define CNI_DEFINE_GET2(noun, what, type_a, type_b, store) \
-	cn_result cn_##noun##_get_##what(const cn_world *world, cn_##noun noun, type_a *out_a, type_b *out_b) \
-	{ \
-		const cni_##noun *record; \
-		if (world == NULL) \
-			return CN_ERROR_ARGUMENT; \
-		record = cni_live_##noun(world, noun); \
-		if (record == NULL || out_a == NULL || out_b == NULL) \
+		if (record == NULL || (no_place)) \
 			return record == NULL ? CN_ERROR_HANDLE : CN_ERROR_ARGUMENT; \
 		store; \
 		return CN_OK; \
 	}
+
+/* Defines the public function cn_<noun>_get_<what>, which reads one value: an expression of `record` and `world`. */
+#define CNI_DEFINE_GET(noun, what, type, value) \
+	cn_result cn_##noun##_get_##what(const cn_world *world, cn_##noun noun, type *out) CNI_READ_RECORD(noun, out == NULL, *out = value)
+
+/* The same for two values: store is an expression that writes *out_a and *out_b. */
+#define CNI_DEFINE_GET2(noun, what, type_a, type_b, store) \
+	cn_result cn_##noun##_get_##what(const cn_world *world, cn_##noun noun, type_a *out_a, type_b *out_b) \
+	CNI_READ_RECORD(noun, out_a == NULL || out_b == NULL, store)
 
 /* The same for a body and a point: value is an expression of `point`. */
 #define CNI_DEFINE_GET_AT(what, value) \

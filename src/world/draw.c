@@ -53,12 +53,6 @@ static void point(const cn_debug_draw *d, cni_vec2 p, float size, uint32_t color
 		d->point(&p, size, color, d->user);
 }
 
-static void text(const cn_debug_draw *d, cni_vec2 p, const char *words, uint32_t color)
-{
-	if (d->text != NULL && span_in_view(d, p, p))
-		d->text(&p, words, color, d->user);
-}
-
 /* ---- shapes ---- */
 
 static uint32_t body_color(const cn_debug_draw *d, const cni_body *b, const cni_shape *s)
@@ -109,14 +103,10 @@ static void draw_edges(const cn_debug_draw *d, const cni_geometry *g, cni_transf
 
 static void draw_box(const cn_debug_draw *d, const cni_aabb *box)
 {
-	cni_vec2 c[4];
-	int32_t k;
-	c[0] = cni_v(box->x0, box->y0);
-	c[1] = cni_v(box->x1, box->y0);
-	c[2] = cni_v(box->x1, box->y1);
-	c[3] = cni_v(box->x0, box->y1);
-	for (k = 0; k < 4; ++k)
-		segment(d, c[k], c[(k + 1) & 3], COLOR_BOX);
+	segment(d, cni_v(box->x0, box->y0), cni_v(box->x1, box->y0), COLOR_BOX);
+	segment(d, cni_v(box->x1, box->y0), cni_v(box->x1, box->y1), COLOR_BOX);
+	segment(d, cni_v(box->x1, box->y1), cni_v(box->x0, box->y1), COLOR_BOX);
+	segment(d, cni_v(box->x0, box->y1), cni_v(box->x0, box->y0), COLOR_BOX);
 }
 
 static void draw_shape(const cn_world *world, const cn_debug_draw *d, const cni_body *b, const cni_shape *s)
@@ -142,13 +132,15 @@ static void draw_shape(const cn_world *world, const cn_debug_draw *d, const cni_
 static void draw_body(const cn_world *world, const cn_debug_draw *d, int32_t body)
 {
 	const cni_body *b = cni_body_at(world, body);
+	cni_vec2 center = cni_v(b->cx, b->cy);
 	int32_t shape;
 	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next)
 		draw_shape(world, d, b, cni_shape_at(world, shape));
-	if (d->flags & CN_DRAW_CENTERS)
-		point(d, cni_v(b->cx, b->cy), 4.0f, COLOR_CENTER);
-	if ((d->flags & CN_DRAW_CENTERS) && b->name != 0)
-		text(d, cni_v(b->cx, b->cy), (const char *)cni_blocks_at(&world->blocks, b->name), COLOR_CENTER);
+	if (!(d->flags & CN_DRAW_CENTERS))
+		return;
+	point(d, center, 4.0f, COLOR_CENTER);
+	if (d->text != NULL && b->name != 0 && span_in_view(d, center, center))
+		d->text(&center, (const char *)cni_blocks_at(&world->blocks, b->name), COLOR_CENTER, d->user);
 }
 
 /* ---- joints and contacts ---- */

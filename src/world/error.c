@@ -325,6 +325,12 @@ void cni_check_at_least_or_default(cni_call *call, const char *field, float valu
 		cni_check_at_least(call, field, value, 0.0f);
 }
 
+void cni_check_positive_or_default(cni_call *call, const char *field, float value)
+{
+	if (value != (float)CN_DEFAULT)
+		cni_check_positive(call, field, value);
+}
+
 void cni_check_above_0_or_default(cni_call *call, const char *field, float value, float upper)
 {
 	if (value == (float)CN_DEFAULT)
@@ -337,6 +343,12 @@ void cni_check_range(cni_call *call, const char *field, float value, float lower
 {
 	if (!(value >= lower && value <= upper))
 		refuse(call, CN_ERROR_ARGUMENT, "%s %f; must be from %f to %f", field, bits_of(value), bits_of(lower), bits_of(upper));
+}
+
+void cni_check_within(cni_call *call, const char *field, cn_vec2 value, float most)
+{
+	cni_check_range(call, field, value.x, -most, most);
+	cni_check_range(call, field, value.y, -most, most);
 }
 
 void cni_check_work_budget(cni_call *call, int32_t value)

@@ -108,9 +108,12 @@ int32_t cni_check_def(cni_call *call, const void *def, size_t bytes, const char 
 
 void cni_check_finite(cni_call *call, const char *field, float value);
 void cni_check_finite2(cni_call *call, const char *field, cn_vec2 value);
+/* Both from -most to most. */
+void cni_check_within(cni_call *call, const char *field, cn_vec2 value, float most);
 void cni_check_at_least(cni_call *call, const char *field, float value, float lower);
-/* >= 0, or CN_DEFAULT. */
+/* >= 0 (> 0), or CN_DEFAULT. */
 void cni_check_at_least_or_default(cni_call *call, const char *field, float value);
+void cni_check_positive_or_default(cni_call *call, const char *field, float value);
 /* > 0 and at most upper, or CN_DEFAULT. */
 void cni_check_above_0_or_default(cni_call *call, const char *field, float value, float upper);
 void cni_check_positive(cni_call *call, const char *field, float value);

@@ -34,10 +34,10 @@ static void check_strength(cni_call *call, int32_t type, const cn_joint_base *ba
 {
 	cni_check_above_0_or_default(call, "stiffness_hertz", base->stiffness_hertz, CNI_HERTZ_MAX);
 	cni_check_range(call, "stiffness_damping_ratio", base->stiffness_damping_ratio, 0.0f, CNI_DAMPING_RATIO_MAX);
-	cni_check_above_0_or_default(call, "force_max_N", base->force_max_N, FLT_MAX);
-	cni_check_above_0_or_default(call, "torque_max_Nm", base->torque_max_Nm, FLT_MAX);
-	cni_check_above_0_or_default(call, "break_force_N", base->break_force_N, FLT_MAX);
-	cni_check_above_0_or_default(call, "break_torque_Nm", base->break_torque_Nm, FLT_MAX);
+	cni_check_positive_or_default(call, "force_max_N", base->force_max_N);
+	cni_check_positive_or_default(call, "torque_max_Nm", base->torque_max_Nm);
+	cni_check_positive_or_default(call, "break_force_N", base->break_force_N);
+	cni_check_positive_or_default(call, "break_torque_Nm", base->break_torque_Nm);
 	if (cni_joint_kind_of(type)->has & CNI_KIND_NEEDS_FORCE_MAX)
 		cni_check_positive(call, "force_max_N of this type", base->force_max_N);
 	if (type == CN_JOINT_MOTOR_TO)

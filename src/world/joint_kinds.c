@@ -217,7 +217,7 @@ static void check_number(cni_call *call, int32_t type, const cni_joint_field *fi
 	case HERTZ_ABOVE_0: cni_check_positive(call, field->name, value); /* fall through */
 	case HERTZ: cni_check_range(call, field->name, value, 0.0f, CNI_HERTZ_MAX); break;
 	case HERTZ_OR_RIGID: cni_check_above_0_or_default(call, field->name, value, CNI_HERTZ_MAX); break;
-	case BREAK: cni_check_above_0_or_default(call, field->name, value, FLT_MAX); break;
+	case BREAK: cni_check_positive_or_default(call, field->name, value); break;
 	case DAMPING: cni_check_range(call, field->name, value, 0.0f, CNI_DAMPING_RATIO_MAX); break;
 	case RATIO: check_ratio(call, field->name, value); break;
 	case RATIO_ABOVE_0: cni_check_range(call, field->name, value, RATIO_MIN, RATIO_MAX); break;

@@ -12,10 +12,8 @@ static void check_points(cni_call *call, const cn_vec2 *points_m, int32_t count,
 	int32_t k;
 	cni_check_pointer(call, "points_m", points_m);
 	cni_check_range_int(call, "count", count, count_min, count_max);
-	for (k = 0; k < count && call->result == CN_OK; ++k) {
-		cni_check_range(call, "points_m.x", points_m[k].x, -CNI_COORDINATE_MAX, CNI_COORDINATE_MAX);
-		cni_check_range(call, "points_m.y", points_m[k].y, -CNI_COORDINATE_MAX, CNI_COORDINATE_MAX);
-	}
+	for (k = 0; k < count && call->result == CN_OK; ++k)
+		cni_check_within(call, "points_m", points_m[k], CNI_COORDINATE_MAX);
 }
 
 /* ------------------------------------------------------------------ hull and box */
@@ -64,8 +62,7 @@ cn_result cn_polygon_make_box(float half_width_m, float half_height_m, float cen
 	cni_check_positive(&call, "half_height_m", half_height_m);
 	cni_check_range(&call, "half_width_m", half_width_m, 0.0f, CNI_COORDINATE_MAX);
 	cni_check_range(&call, "half_height_m", half_height_m, 0.0f, CNI_COORDINATE_MAX);
-	cni_check_range(&call, "center_m.x", center_m.x, -CNI_COORDINATE_MAX, CNI_COORDINATE_MAX);
-	cni_check_range(&call, "center_m.y", center_m.y, -CNI_COORDINATE_MAX, CNI_COORDINATE_MAX);
+	cni_check_within(&call, "center_m", center_m, CNI_COORDINATE_MAX);
 	cni_check_angle(&call, "angle_rad", angle_rad);
 	cni_check_range(&call, "radius_m", radius_m, 0.0f, CNI_COORDINATE_MAX);
 	cni_check_pointer(&call, "out", out);
@@ -105,10 +102,9 @@ cn_result cn_outline_simplify(const cn_vec2 *points_m, int32_t count, int32_t cl
 	check_points(&call, points_m, count, closed ? 3 : 2, CNI_SIMPLIFY_POINTS_MAX);
 	cni_check_range(&call, "tolerance_m", tolerance_m, 0.0f, CNI_COORDINATE_MAX);
 	cni_check_output(&call, out, capacity, out_count);
-	if (call.result != CN_OK)
-		return call.result;
-	*out_count = cni_outline_simplify(points_m, count, closed, tolerance_m, out, capacity);
-	return CN_OK;
+	if (call.result == CN_OK)
+		*out_count = cni_outline_simplify(points_m, count, closed, tolerance_m, out, capacity);
+	return call.result;
 }
 
 static cni_grid grid_make(int32_t count, int32_t columns, float origin_x_m, float origin_y_m, float spacing)
@@ -120,16 +116,15 @@ static cni_grid grid_make(int32_t count, int32_t columns, float origin_x_m, floa
 /* Every coordinate of the grid must be one that shapes take. */
 static void check_grid(cni_call *call, const cni_grid *grid, int32_t count, int32_t side_min, const char *spacing)
 {
+	cni_vec2 size = { (float)grid->columns * grid->spacing, (float)grid->rows * grid->spacing };
 	cni_check_range_int(call, "columns", grid->columns, side_min, CNI_GRID_SIDE_MAX);
 	cni_check_range_int(call, "count / columns", grid->rows, side_min, CNI_GRID_SIDE_MAX);
 	if (call->result == CN_OK && grid->columns * grid->rows != count)
 		cni_refuse_int(call, "count", count, "must be a multiple of columns");
-	cni_check_range(call, "origin_x_m", grid->origin.x, -CNI_COORDINATE_MAX, CNI_COORDINATE_MAX);
-	cni_check_range(call, "origin_y_m", grid->origin.y, -CNI_COORDINATE_MAX, CNI_COORDINATE_MAX);
+	cni_check_within(call, "origin_m", grid->origin, CNI_COORDINATE_MAX);
 	cni_check_positive(call, spacing, grid->spacing);
-	cni_check_range(call, spacing, (float)cni_max_i(grid->columns, grid->rows) * grid->spacing, 0.0f, CNI_COORDINATE_MAX);
-	cni_check_range(call, "origin_x_m", grid->origin.x + (float)grid->columns * grid->spacing, -CNI_COORDINATE_MAX, CNI_COORDINATE_MAX);
-	cni_check_range(call, "origin_y_m", grid->origin.y + (float)grid->rows * grid->spacing, -CNI_COORDINATE_MAX, CNI_COORDINATE_MAX);
+	cni_check_within(call, spacing, size, CNI_COORDINATE_MAX);
+	cni_check_within(call, "origin_m", cni_add(grid->origin, size), CNI_COORDINATE_MAX);
 }
 
 static void check_values(cni_call *call, const float *values, int32_t count)
