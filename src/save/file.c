@@ -84,24 +84,13 @@ static void def_take_settings(cn_world_def *def, const cni_settings *s)
 	def->work_budget = s->work_budget == 0 ? CN_DEFAULT : s->work_budget;
 }
 
-/* The settings of a file are those of a definition. */
+/* The settings of a file are those of a definition, which then makes the same settings again. */
 static int32_t settings_are_good(const cni_settings *s)
 {
 	cn_world_def def;
 	cn_world_def_init(&def);
 	def_take_settings(&def, s);
 	return cn_world_def_check(&def, NULL, 0) == CN_OK;
-}
-
-/* A definition turns 0 into a default, so settings that are 0 are set here. */
-static void settings_set(cn_world *world, const cni_settings *s)
-{
-	cni_settings derived = world->settings;
-	world->settings = *s;
-	world->settings.slop = derived.slop;
-	world->settings.thickness_least = derived.thickness_least;
-	world->settings.box_margin = derived.box_margin;
-	world->settings.contact_margin = derived.contact_margin;
 }
 
 static void world_fill(cn_world *world, cni_file *f)
@@ -142,7 +131,6 @@ cn_result cn_world_read(const cn_world_def *def, const void *file, uint64_t byte
 	created = cn_world_create(&own, &world);
 	if (created != CN_OK)
 		return created;
-	settings_set(world, &settings);
 	world_fill(world, &f);
 	if (f.result == CN_OK)
 		*out_world = world;

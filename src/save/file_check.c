@@ -8,7 +8,7 @@
 
 /* ---- handles ---- */
 
-static int32_t lists_of_aliases_hold(const cni_handles *h)
+static int32_t aliases_hold(const cni_handles *h)
 {
 	const cni_alias *by_index = (const cni_alias *)h->aliases.data, *by_slot = (const cni_alias *)h->by_slot.data;
 	int32_t k;
@@ -21,16 +21,7 @@ static int32_t lists_of_aliases_hold(const cni_handles *h)
 		if (k > 0 && (by_index[k].index <= by_index[k - 1].index || by_slot[k].slot <= by_slot[k - 1].slot))
 			return 0;
 	}
-	return 1;
-}
-
-static int32_t aliases_hold(const cni_handles *h)
-{
-	const cni_alias *by_index = (const cni_alias *)h->aliases.data;
-	int32_t k;
-	if (!lists_of_aliases_hold(h))
-		return 0;
-	for (k = 0; k < h->aliases.count; ++k)
+	for (k = 0; k < h->aliases.count; ++k) /* a search in the other list, which is in order */
 		if (cni_handles_alias_of(h, by_index[k].slot) != by_index[k].index)
 			return 0;
 	return 1;

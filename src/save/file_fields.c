@@ -263,14 +263,11 @@ static void table_pass(cn_world *world, cni_file *f, const char *tag, int32_t re
 {
 	uint32_t stride;
 	int32_t count = cni_file_chunk(f, tag, cni_record_file_bytes(&records[record]), used, &stride), k;
-	if (count != used) {
-		cni_file_fail(f, CN_ERROR_FORMAT);
+	cni_file_need(f, count == used, CN_ERROR_FORMAT);
+	if (f->mode == CNI_FILE_READ && f->result == CN_OK)
+		cni_file_need(f, cni_table_reserve(table, &world->memory, count), CN_ERROR_MEMORY);
+	if (f->result != CN_OK)
 		return;
-	}
-	if (f->mode == CNI_FILE_READ && !cni_table_reserve(table, &world->memory, count)) {
-		cni_file_fail(f, CN_ERROR_MEMORY);
-		return;
-	}
 	for (k = 0; k < count; ++k)
 		cni_file_record(f, &records[record], live(world, k) ? cni_table_at(table, k) : NULL, stride);
 }

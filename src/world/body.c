@@ -256,10 +256,7 @@ cn_result cn_body_destroy_many(cn_world *world, const cn_body *bodies, int32_t c
 	return call.result;
 }
 
-int32_t cn_body_is_valid(const cn_world *world, cn_body body)
-{
-	return world != NULL && cni_handles_find(&world->body_handles, body) != CNI_NONE;
-}
+CNI_DEFINE_IS_VALID(body)
 
 /* ------------------------------------------------------------------ user data and lists */
 

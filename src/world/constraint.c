@@ -72,10 +72,7 @@ cn_result cn_constraint_destroy(cn_world *world, cn_constraint constraint)
 	return call.result;
 }
 
-int32_t cn_constraint_is_valid(const cn_world *world, cn_constraint constraint)
-{
-	return world != NULL && cni_joint_find(world, constraint, 1) != CNI_NONE;
-}
+CNI_DEFINE_IS_VALID(constraint)
 
 /* ------------------------------------------------------------------ reading back and replacing */
 

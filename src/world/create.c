@@ -23,18 +23,12 @@ void cn_world_def_init(cn_world_def *def)
 	def->gravity_mps2.y = -10.0f;
 	def->length_unit_m = 1.0f;
 	def->substep_count = 4;
-	def->accuracy_m = CN_DEFAULT;
-	def->work_budget = CN_DEFAULT;
-	def->restitution_threshold_mps = CN_DEFAULT;
-	def->push_speed_max_mps = CN_DEFAULT;
-	def->linear_speed_max_mps = CN_DEFAULT;
+	def->accuracy_m = def->restitution_threshold_mps = def->push_speed_max_mps = def->linear_speed_max_mps = CN_DEFAULT;
 	def->angular_speed_max_radps = 400.0f;
-	def->sleep_speed_mps = CN_DEFAULT;
+	def->sleep_speed_mps = def->hit_speed_mps = CN_DEFAULT;
 	def->sleep_delay_s = 0.5f;
-	def->hit_speed_mps = CN_DEFAULT;
 	def->worker_count = 1;
-	def->touching_capacity = CN_DEFAULT;
-	def->event_capacity = CN_DEFAULT;
+	def->work_budget = def->touching_capacity = def->event_capacity = CN_DEFAULT;
 	def->vertex_capacity = CN_POLYGON_MAX_VERTICES;
 	def->reserve = CNI_RESERVE_ALL;
 }

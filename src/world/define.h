@@ -48,6 +48,10 @@ typedef cni_joint cni_constraint;
 		return call.result; \
 	}
 
+/* Defines cn_<noun>_is_valid. */
+#define CNI_DEFINE_IS_VALID(noun) \
+	int32_t cn_##noun##_is_valid(const cn_world *world, cn_##noun noun) { return world != NULL && cni_live_##noun(world, noun) != NULL; }
+
 /* Defines cn_<noun>_set_user_data and cn_<noun>_get_user_data. */
 #define CNI_DEFINE_USER_DATA(noun) \
 	CNI_DEFINE_GET(noun, user_data, uint64_t, record->user_data) \

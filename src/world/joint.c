@@ -131,11 +131,7 @@ cn_result cn_joint_set_solver(cn_world *world, cn_joint joint, int32_t solver)
 
 /* ------------------------------------------------------------------ reading */
 
-int32_t cn_joint_is_valid(const cn_world *world, cn_joint joint)
-{
-	return world != NULL && cni_joint_find(world, joint, 0) != CNI_NONE;
-}
-
+CNI_DEFINE_IS_VALID(joint)
 CNI_DEFINE_GET(joint, type, int32_t, record->type)
 CNI_DEFINE_GET2(joint, bodies, cn_body, cn_body, (*out_a = cni_handle_or_zero(&world->body_handles, record->body[0]), *out_b = cni_handle_or_zero(&world->body_handles, record->body[1])))
 CNI_DEFINE_GET2(joint, anchors, cn_vec2, cn_vec2, cni_joint_anchors(world, record, out_a, out_b))

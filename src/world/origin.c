@@ -35,8 +35,6 @@ static void bodies_shift(cn_world *world, cni_vec2 offset)
 	}
 }
 
-static void point_shift(cni_vec2 *point, cni_vec2 offset) { *point = cni_sub(*point, offset); }
-
 static void number_pair_shift(float *pair, cni_vec2 offset)
 {
 	pair[0] -= offset.x;
@@ -50,7 +48,7 @@ static void joints_shift(cn_world *world, cni_vec2 offset)
 		cni_joint *j = cni_joint_at(world, k);
 		for (side = 0; side < 2; ++side)
 			if (j->body[side] == CNI_NONE)
-				point_shift(&j->anchor[side], offset);
+				j->anchor[side] = cni_sub(j->anchor[side], offset);
 		if (j->type == CN_JOINT_GROOVE && j->body[0] == CNI_NONE)
 			number_pair_shift(j->p + CNI_P_GROOVE_END_X, offset);
 		if (j->type == CN_JOINT_PULLEY) {

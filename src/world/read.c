@@ -95,36 +95,32 @@ static void copy_poses(const cn_world *world, const cn_body *bodies, int32_t cou
 			memcpy(out, &page_item(pages, (uint32_t)walk_next(&w))->pose, sizeof(cn_pose));
 }
 
-static cn_result read_poses(const cn_world *world, const cn_body *bodies, int32_t count, void *out, int32_t stride)
+cn_result cn_world_read_poses_strided(const cn_world *world, const cn_body *bodies, int32_t count, void *out, int32_t stride_bytes)
 {
+	size_t stride = stride_bytes != 0 ? (size_t)stride_bytes : sizeof(cn_pose);
 	cni_call call = cni_enter_const(world);
 	walk w = walk_begin(world, bodies);
 	int32_t k;
+	if (stride_bytes != 0 && stride_bytes < (int32_t)sizeof(cn_pose))
+		return CN_ERROR_ARGUMENT;
 	cni_check_array(&call, "out", out, count);
 	check_bodies(&call, bodies, count);
 	if (call.result != CN_OK)
 		return call.result;
 	if (cni_readback_ask(world)) {
-		copy_poses(world, bodies, count, (uint8_t *)out, (size_t)stride);
+		copy_poses(world, bodies, count, (uint8_t *)out, stride);
 		return CN_OK;
 	}
 	for (k = 0; k < count; ++k) {
 		cn_pose pose = cni_body_pose(cni_body_at(world, walk_next(&w)));
-		memcpy((uint8_t *)out + (size_t)k * (size_t)stride, &pose, sizeof pose);
+		memcpy((uint8_t *)out + (size_t)k * stride, &pose, sizeof pose);
 	}
 	return CN_OK;
 }
 
 cn_result cn_world_read_poses(const cn_world *world, const cn_body *bodies, int32_t count, cn_pose *out)
 {
-	return read_poses(world, bodies, count, out, (int32_t)sizeof(cn_pose));
-}
-
-cn_result cn_world_read_poses_strided(const cn_world *world, const cn_body *bodies, int32_t count, void *out, int32_t stride_bytes)
-{
-	if (stride_bytes != 0 && stride_bytes < (int32_t)sizeof(cn_pose))
-		return CN_ERROR_ARGUMENT;
-	return read_poses(world, bodies, count, out, stride_bytes != 0 ? stride_bytes : (int32_t)sizeof(cn_pose));
+	return cn_world_read_poses_strided(world, bodies, count, out, 0);
 }
 
 cn_result cn_world_read_poses_interpolated(const cn_world *world, const cn_body *bodies, int32_t count, float factor, cn_pose *out)

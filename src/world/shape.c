@@ -65,11 +65,7 @@ cn_result cn_shape_destroy(cn_world *world, cn_shape shape)
 	return CN_OK;
 }
 
-int32_t cn_shape_is_valid(const cn_world *world, cn_shape shape)
-{
-	return world != NULL && cni_handles_find(&world->shape_handles, shape) != CNI_NONE;
-}
-
+CNI_DEFINE_IS_VALID(shape)
 CNI_DEFINE_GET(shape, type, int32_t, record->type)
 CNI_DEFINE_GET(shape, body, cn_body, cni_handle_or_zero(&world->body_handles, record->body))
 
