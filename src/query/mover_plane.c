@@ -46,9 +46,7 @@ static int32_t plane_before(const void *a, const void *b)
 /* Maps the frame of a target's body to that of the region's origin. */
 static cni_transform target_in_region(const cni_query_target *t, const cni_region *region)
 {
-	cni_transform x;
-	x.q = t->body->q;
-	x.t = cni_neg(cni_rotate(x.q, cni_body_to_local(t->body, region->origin)));
+	cni_transform x = { t->body->q, cni_neg(cni_rotate(t->body->q, cni_body_to_local(t->body, region->origin))) };
 	return x;
 }
 

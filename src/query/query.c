@@ -164,10 +164,7 @@ cni_aabb cni_region_box(const cni_region *region, cni_vec2 offset)
 
 cni_transform cni_region_in(const cni_region *region, const cni_body *body)
 {
-	cni_transform x;
-	x.t = cni_body_to_local(body, region->origin);
-	x.q.c = body->q.c;
-	x.q.s = -body->q.s;
+	cni_transform x = { { body->q.c, -body->q.s }, cni_body_to_local(body, region->origin) };
 	return x;
 }
 

@@ -1,12 +1,6 @@
 /*
  * save/file.h - a world as portable bytes: what the files of cn_world_write and cn_world_read share.
  *
- *   file.c          the calls: header, checksum, the world that is read
- *   file_codec.c    chunks and fields to bytes and back, in little-endian order on every machine
- *   file_fields.c   the fields of every record, and the order of the chunks
- *   file_rebuild.c  what a file does not hold, as it follows from the rest: pieces, boxes, the broadphase
- *   file_check.c    whether what was read is a world
- *
  * A file is a header of 32 bytes and chunks:
  *
  *   header   "CairnWld" | version (4) | 0 (4) | bytes of the file (8) | checksum of all that follows (8)
@@ -75,7 +69,7 @@ typedef struct cni_file {
 	int32_t limits[CNI_FIELD_KINDS];
 } cni_file;
 
-/* ---- file_codec.c */
+/* ---- file_codec.c: chunks and fields to bytes and back, in little-endian order on every machine */
 
 /* MEASURE, or WRITE to out. */
 cni_file cni_file_begin(int32_t mode, uint8_t *out);
@@ -113,7 +107,7 @@ uint64_t cni_file_get(const uint8_t *from, uint32_t bytes);
 void cni_file_put(uint8_t *to, uint64_t value, uint32_t bytes);
 uint64_t cni_file_checksum(const uint8_t *bytes, uint64_t count);
 
-/* ---- file_fields.c */
+/* ---- file_fields.c: the fields of every record, and the order of the chunks */
 
 /* Settings, from the chunk of the world alone: READ needs them before the world exists. */
 void cni_file_settings(cni_file *f, cni_settings *settings);
@@ -128,7 +122,7 @@ int32_t cni_file_needs_extra(const cn_world *world);
 /* The k-th array of the world's state; NULL: there are no more. */
 cni_array *cni_file_array(cn_world *world, int32_t k);
 
-/* ---- file_rebuild.c */
+/* ---- file_rebuild.c: what a file does not hold, as it follows from the rest */
 
 /* Geometry and names: their chunks. */
 void cni_file_pieces(cn_world *world, cni_file *f);
@@ -141,7 +135,7 @@ void cni_file_contacts(cn_world *world, cni_file *f);
 /* The broadphase, after all checks. */
 void cni_file_broadphase(cn_world *world, cni_file *f);
 
-/* ---- file_check.c */
+/* ---- file_check.c: whether what was read is a world */
 
 /* Handles: before anything asks them which slots are alive. 1: good. */
 int32_t cni_file_handles_hold(const cni_handles *handles);

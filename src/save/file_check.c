@@ -269,25 +269,20 @@ static int32_t blocks_hold(const cn_world *world)
 
 /* ---- events ---- */
 
-/* The index of its contact in an event, CNI_NONE: it has none. */
-static int32_t event_contact(const cni_array *log, int32_t kind, int32_t k)
+/* Events have a contact. Of hits users read as many points as they say. */
+static int32_t event_holds(const cni_array *log, int32_t kind, int32_t k)
 {
-	if (kind == CN_EVENT_STAY)
-		return ((const cni_event_stay *)log->data)[k].contact;
-	return ((const cni_event *)log->data)[k].contact;
-}
-
-/* Users read as many points as it says. */
-static int32_t hit_holds(const cn_contact_event *e)
-{
-	return e->kind == CN_EVENT_HIT && e->manifold.point_count >= 0 && e->manifold.point_count <= 2;
+	const cn_contact_event *hits = (const cn_contact_event *)log->data;
+	if (kind == CN_EVENT_HIT)
+		return hits[k].kind == CN_EVENT_HIT && hits[k].manifold.point_count >= 0 && hits[k].manifold.point_count <= 2;
+	return (kind == CN_EVENT_STAY ? ((const cni_event_stay *)log->data)[k].contact : ((const cni_event *)log->data)[k].contact) != CNI_NONE;
 }
 
 static int32_t log_holds(const cni_array *log, int32_t kind)
 {
 	int32_t k;
 	for (k = 0; k < log->count; ++k)
-		if (kind == CN_EVENT_HIT ? !hit_holds((const cn_contact_event *)log->data + k) : event_contact(log, kind, k) == CNI_NONE)
+		if (!event_holds(log, kind, k))
 			return 0;
 	return 1;
 }

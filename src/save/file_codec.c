@@ -235,12 +235,9 @@ static void field_store(void *to, uint64_t value, uint32_t bytes)
 static int32_t value_is_good(const cni_file *f, uint32_t kind, uint64_t value)
 {
 	uint32_t word = (uint32_t)value;
+	if (kind < CNI_FIELD_FLOAT || kind == CNI_FIELD_LONG) /* of any value */
+		return 1;
 	switch (kind) {
-	case CNI_FIELD_BYTE:
-	case CNI_FIELD_HALF:
-	case CNI_FIELD_WORD:
-	case CNI_FIELD_DRIVE:
-	case CNI_FIELD_LONG: return 1;
 	case CNI_FIELD_FLOAT: return (word & 0x7F800000u) != 0x7F800000u;
 	case CNI_FIELD_BIT: return word <= 1u;
 	case CNI_FIELD_COUNT: return word <= (uint32_t)COUNT_MAX;

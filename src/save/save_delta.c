@@ -78,10 +78,8 @@ static void put_runs(writer *w, const pair *p)
 
 static void delta_put(writer *w, const void *base, uint64_t base_bytes, const void *save, uint64_t save_bytes)
 {
-	uint64_t header[4] = { MAGIC, 0, 0, 0 };
+	uint64_t header[4] = { MAGIC, 0, cni_save_checksum(base, base_bytes), save_bytes };
 	const pair p = { (const uint8_t *)base, (const uint8_t *)save, base_bytes / WORD, save_bytes / WORD };
-	header[2] = cni_save_checksum(base, base_bytes);
-	header[3] = save_bytes;
 	put(w, header, sizeof header);
 	put_runs(w, &p);
 	put(w, p.save + p.save_words * WORD, save_bytes % WORD);

@@ -92,14 +92,9 @@ static cn_velocity velocity_in_wind(const cn_world *world, const cni_body *b, co
 {
 	static const cni_medium_region everywhere = { { { 0.0f, 0.0f } }, { 0.0f }, 0 };
 	cn_velocity v = cni_body_velocity(world, b);
-	cni_in_medium in;
+	const cni_in_medium in = { cni_shape_geometry(&world->blocks, s), b->local_center, b->q, v.linear_mps, v.angular_radps };
 	cni_medium_force force;
 	float mass[3], change[3];
-	in.geometry = cni_shape_geometry(&world->blocks, s);
-	in.center = b->local_center;
-	in.q = b->q;
-	in.velocity = v.linear_mps;
-	in.spin = v.angular_radps;
 	memset(&force, 0, sizeof force);
 	cni_medium_add(&force, wind, &everywhere, &in);
 	mass[0] = b->flags & CN_BODY_LOCK_X ? 0.0f : b->mass;

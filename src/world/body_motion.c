@@ -76,18 +76,15 @@ CNI_DEFINE_GET_AT(local_point, cni_body_to_local(record, point))
 
 cn_result cn_body_set_velocity(cn_world *world, cn_body body, float linear_x_mps, float linear_y_mps, float angular_radps)
 {
-	cn_vec2 linear_mps = { linear_x_mps, linear_y_mps };
+	cn_velocity v = { { linear_x_mps, linear_y_mps }, angular_radps };
 	cni_call call = cni_enter(world, __func__);
 	cni_body *b = cni_check_body(&call, "body", body);
-	cn_velocity v;
-	cni_check_finite2(&call, "linear_mps", linear_mps);
+	cni_check_finite2(&call, "linear_mps", v.linear_mps);
 	cni_check_finite(&call, "angular_radps", angular_radps);
 	cni_check(&call, b == NULL || b->type != CN_BODY_STATIC, CN_ERROR_STATE, "the body is static");
 	if (call.result != CN_OK)
 		return call.result;
-	v.linear_mps = linear_mps;
-	v.angular_radps = angular_radps;
-	if (linear_mps.x != 0.0f || linear_mps.y != 0.0f || angular_radps != 0.0f)
+	if (linear_x_mps != 0.0f || linear_y_mps != 0.0f || angular_radps != 0.0f)
 		cni_body_wake(world, cni_body_index(world, body));
 	cni_body_store_velocity(world, b, v);
 	cni_body_kick(world, cni_body_index(world, body));
@@ -99,9 +96,7 @@ static cn_velocity velocity_to(const cni_body *b, cn_vec2 position, float angle,
 {
 	cni_rot q = cni_sincos(angle), turn = cni_rot_between(b->q, q);
 	cni_vec2 center = cni_add(position, cni_rotate(q, b->local_center));
-	cn_velocity v;
-	v.linear_mps = cni_mul(1.0f / dt, cni_body_arm(b, center));
-	v.angular_radps = cni_atan2(turn.s, turn.c) / dt;
+	cn_velocity v = { cni_mul(1.0f / dt, cni_body_arm(b, center)), cni_atan2(turn.s, turn.c) / dt };
 	return v;
 }
 

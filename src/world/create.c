@@ -260,12 +260,7 @@ static const cni_broadphase_ops *broadphase_choice(int32_t broadphase)
 
 static cn_result broadphase_create(cn_world *world, int32_t capacity)
 {
-	cni_broadphase_context context;
-	memset(&context, 0, sizeof context);
-	context.memory = &world->memory;
-	context.arena = &world->arena;
-	context.proxies = &world->proxies;
-	context.team = &world->team;
+	const cni_broadphase_context context = { &world->memory, &world->arena, &world->proxies, &world->team };
 	world->broadphase_ops = broadphase_choice(world->settings.broadphase);
 	world->broadphase = world->broadphase_ops->create(&context, capacity);
 	return world->broadphase != NULL ? CN_OK : CN_ERROR_MEMORY;

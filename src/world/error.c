@@ -140,28 +140,22 @@ void cni_text_float(cni_text *text, float value)
 
 /* ------------------------------------------------------------------ entering */
 
-static cni_call call_begin(const cn_world *world, char *sentence, const char *function)
-{
-	cni_call call = { world, sentence, function, world == NULL ? CN_ERROR_ARGUMENT : CN_OK };
-	return call;
-}
-
 cni_call cni_enter(cn_world *world, const char *function)
 {
-	cni_call call = call_begin(world, world != NULL ? world->error : NULL, function);
+	cni_call call = { world, world != NULL ? world->error : NULL, function, world != NULL ? CN_OK : CN_ERROR_ARGUMENT };
 	cni_check(&call, world == NULL || world->locked == 0, CN_ERROR_LOCKED, "the world is locked while a callback runs");
 	return call;
 }
 
 cni_call cni_enter_const(const cn_world *world)
 {
-	return call_begin(world, NULL, "");
+	cni_call call = { world, NULL, "", world != NULL ? CN_OK : CN_ERROR_ARGUMENT };
+	return call;
 }
 
 cni_call cni_enter_free(void)
 {
-	cni_call call = call_begin(NULL, NULL, "");
-	call.result = CN_OK;
+	cni_call call = { NULL, NULL, "", CN_OK };
 	return call;
 }
 

@@ -60,8 +60,7 @@ cn_result cn_polygon_make_box(float half_width_m, float half_height_m, float cen
 	int32_t k;
 	cni_check_positive(&call, "half_width_m", half_width_m);
 	cni_check_positive(&call, "half_height_m", half_height_m);
-	cni_check_range(&call, "half_width_m", half_width_m, 0.0f, CNI_COORDINATE_MAX);
-	cni_check_range(&call, "half_height_m", half_height_m, 0.0f, CNI_COORDINATE_MAX);
+	cni_check_within(&call, "half_width_m, half_height_m", cni_v(half_width_m, half_height_m), CNI_COORDINATE_MAX);
 	cni_check_within(&call, "center_m", center_m, CNI_COORDINATE_MAX);
 	cni_check_angle(&call, "angle_rad", angle_rad);
 	cni_check_range(&call, "radius_m", radius_m, 0.0f, CNI_COORDINATE_MAX);

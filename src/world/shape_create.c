@@ -72,14 +72,12 @@ static cni_ref shape_prepare(cni_call *call, cn_world *world, const cn_shape_def
 	int32_t shape = cni_handles_peek(&world->shape_handles);
 	uint64_t bytes = cni_shape_piece_bytes(world, from->type, from->count);
 	cni_ref ref = cni_blocks_alloc(&world->blocks, bytes);
+	cni_transform offset = { cni_sincos(def->angle_rad), def->offset_m };
 	cni_geometry *g;
-	cni_transform offset;
 	if (ref == 0) {
 		cni_refuse(call, CN_ERROR_MEMORY, "no memory for the shape's geometry");
 		return 0;
 	}
-	offset.q = cni_sincos(def->angle_rad);
-	offset.t = def->offset_m;
 	g = (cni_geometry *)cni_blocks_at(&world->blocks, ref);
 	cni_source_build(g, from, offset);
 	record_fill(call, world, cni_shape_at(world, shape), def, g, ref);

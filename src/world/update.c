@@ -48,14 +48,9 @@ static void previous_keep(cn_world *world)
 	int32_t k;
 	for (k = 1; k < world->awake_count; ++k) {
 		const cni_body *b = cni_body_at(world, ids[k]);
-		cni_previous *p = previous_of(world) + ids[k];
 		cni_vec2 origin = cni_body_origin(b);
-		p->x = origin.x;
-		p->y = origin.y;
-		p->c = b->q.c;
-		p->s = b->q.s;
-		p->body = cni_handles_of(&world->body_handles, ids[k]);
-		p->step = world->step_count + 1u;
+		cni_previous now = { origin.x, origin.y, b->q.c, b->q.s, cni_handles_of(&world->body_handles, ids[k]), world->step_count + 1u };
+		previous_of(world)[ids[k]] = now;
 	}
 }
 
