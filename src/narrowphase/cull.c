@@ -46,54 +46,13 @@ static cni_cull_body cull_body_make(const cni_body *b, float dt)
 	return s;
 }
 
-#if CNI_HAS_WIDE_4
-
-/* cull_body_make of four in a row, with its bits. */
-static void four_make(const cni_body *b, float dt, cni_cull_body *out)
-{
-	const cni_mask awake = { b[0].awake, b[1].awake, b[2].awake, b[3].awake };
-	const cni_wide extent = { b[0].extent, b[1].extent, b[2].extent, b[3].extent };
-	cni_wide at[4], ahead, low, high, x, y, radius;
-	int32_t l;
-	for (l = 0; l < 4; ++l) {
-		at[l] = cni_wide_load_loose(&b[l].cx);
-		ahead = cni_wide_of(dt) * cni_wide_load_loose(&b[l].vx);
-		*(cni_wide_loose *)(void *)&out[l].x = __builtin_shufflevector(at[l], ahead, 0, 1, 4, 5);
-	}
-	low = __builtin_shufflevector(at[0], at[1], 0, 1, 4, 5);
-	high = __builtin_shufflevector(at[2], at[3], 0, 1, 4, 5);
-	x = __builtin_shufflevector(low, high, 0, 2, 4, 6);
-	y = __builtin_shufflevector(low, high, 1, 3, 5, 7);
-	radius = cni_wide_of(CNI_CIRCLES_APART) * extent + cni_wide_of(FLT_EPSILON) * (cni_wide_abs(x) + cni_wide_abs(y));
-	radius = cni_wide_select(awake == (cni_mask){ 0 }, -radius, radius);
-	for (l = 0; l < 4; ++l)
-		out[l].radius = radius[l];
-}
-
-/* Layout of the record that four_make reads; four bodies from a multiple of four lie in one page. */
-typedef char cni_four_bodies_are_read[offsetof(cni_body, w) == offsetof(cni_body, vx) + 8 && CNI_PAGE_BODIES >= 2 ? 1 : -1];
-
-#endif
-
 static void bodies_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
 	const cni_cull_list *list = (const cni_cull_list *)context;
-	const cn_world *world = list->world;
-	cni_cull_body *bodies = list->bodies;
-	float dt = list->dt;
-	int32_t k = begin;
+	int32_t k;
 	(void)worker;
-	while (k < end) {
-		const cni_body *b = cni_body_at(world, k);
-#if CNI_HAS_WIDE_4
-		if (k % 4 == 0 && k + 4 <= end) {
-			four_make(b, dt, &bodies[k]);
-			k += 4;
-			continue;
-		}
-#endif
-		bodies[k++] = cull_body_make(b, dt);
-	}
+	for (k = begin; k < end; ++k)
+		list->bodies[k] = cull_body_make(cni_body_at(list->world, k), list->dt);
 }
 
 /* The copy pays where the average body is in a contact that is apart; a contact has two bodies. */
