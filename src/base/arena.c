@@ -22,7 +22,6 @@ void cni_arena_init(cni_arena *arena, cni_memory *memory)
 static void arena_pop_last(cni_arena *arena)
 {
 	cni_arena_entry *entry = &arena->entries[arena->entry_count - 1];
-
 	if (entry->fallback)
 		cni_memory_free(arena->memory, entry->pointer, entry->bytes);
 	else
@@ -49,7 +48,6 @@ int32_t cni_arena_reserve(cni_arena *arena, uint64_t bytes)
 {
 	uint64_t capacity = cni_memory_rounded(bytes);
 	void *block;
-
 	if (capacity <= arena->capacity)
 		return 1;
 	CNI_ASSERT(arena->entry_count == 0);
@@ -71,7 +69,6 @@ void *cni_arena_push(cni_arena *arena, uint64_t bytes)
 	int32_t fallback = taken > arena->capacity - arena->used;
 	cni_arena_entry *entry;
 	void *pointer;
-
 	if (arena->entry_count == CNI_ARENA_ENTRIES)
 		return NULL;
 	pointer = fallback ? cni_memory_alloc(arena->memory, taken) : arena->block + arena->used;
@@ -94,7 +91,6 @@ void *cni_arena_push(cni_arena *arena, uint64_t bytes)
 int32_t cni_arena_pop(cni_arena *arena, void *pointer)
 {
 	int32_t is_last;
-
 	if (pointer == NULL)
 		return 1;
 	is_last = arena->entry_count > 0 && arena->entries[arena->entry_count - 1].pointer == pointer;
@@ -107,7 +103,6 @@ int32_t cni_arena_pop(cni_arena *arena, void *pointer)
 void cni_arena_reset(cni_arena *arena)
 {
 	uint64_t growth = ARENA_GROWTH_BYTES;
-
 	arena_pop_all(arena);
 	if (arena->high_water > arena->capacity)
 		(void)cni_arena_reserve(arena, (arena->high_water + growth - 1) / growth * growth);

@@ -32,7 +32,6 @@ static const uint16_t class_units[CNI_BLOCK_CLASSES] = {1, 2, 3, 4, 6, 8, 12, 16
 static int32_t class_fitting(uint64_t bytes)
 {
 	int32_t class_index = 0;
-
 	while ((uint64_t)class_units[class_index] * CNI_BLOCK_UNIT < bytes)
 		++class_index;
 	return class_index;
@@ -83,7 +82,6 @@ static void table_free(cni_blocks *blocks, cni_chunks *table)
 static void table_drop(cni_blocks *blocks, cni_chunks *table, const cni_chunks *other)
 {
 	int32_t k;
-
 	for (k = 0; k < table->count; ++k)
 		if (table->at[k] != NULL && !(k < other->count && table->at[k] == other->at[k]))
 			cni_memory_free(blocks->memory, table->at[k], table->bytes[k]);
@@ -101,7 +99,6 @@ static int32_t table_grow(cni_blocks *blocks, int32_t capacity)
 {
 	cni_chunks *old = &blocks->chunks, grown;
 	size_t count = (size_t)old->count;
-
 	if (!table_make(blocks, &grown, capacity))
 		return 0;
 	if (count > 0) {
@@ -127,7 +124,6 @@ static int32_t slot_reserve(cni_blocks *blocks)
 static int32_t slot_take(cni_blocks *blocks, uint8_t *chunk, uint64_t bytes)
 {
 	int32_t slot = blocks->empty_slot;
-
 	if (slot != 0)
 		blocks->empty_slot = (int32_t)blocks->chunks.bytes[slot];
 	else
@@ -162,7 +158,6 @@ int32_t cni_blocks_next_set(cni_blocks *blocks, int32_t slot, uint64_t bytes)
 {
 	const cni_chunks *now = &blocks->chunks;
 	int32_t is_shared = slot < now->count && now->at[slot] != NULL && now->bytes[slot] == bytes;
-
 	blocks->next.bytes[slot] = bytes;
 	if (bytes == 0)
 		return 1;
@@ -192,7 +187,6 @@ static cni_ref large_alloc(cni_blocks *blocks, uint64_t bytes)
 {
 	uint64_t taken = cni_memory_rounded(bytes);
 	uint8_t *chunk;
-
 	if (!slot_reserve(blocks))
 		return 0;
 	chunk = chunk_alloc(blocks, taken);
@@ -205,7 +199,6 @@ static cni_ref large_alloc(cni_blocks *blocks, uint64_t bytes)
 static void large_free(cni_blocks *blocks, cni_ref ref, uint64_t bytes)
 {
 	int32_t slot = (int32_t)(ref >> 12);
-
 	CNI_ASSERT((ref & 4095u) == 0 && blocks->chunks.bytes[slot] == cni_memory_rounded(bytes));
 	(void)bytes;
 	blocks->bytes_large -= blocks->chunks.bytes[slot];
@@ -227,7 +220,6 @@ static void free_push(cni_blocks *blocks, int32_t class_index, cni_ref ref)
 static cni_ref free_pop(cni_blocks *blocks, int32_t class_index)
 {
 	cni_ref ref = blocks->free_head[class_index];
-
 	memcpy(&blocks->free_head[class_index], cni_blocks_at(blocks, ref), sizeof(cni_ref));
 	blocks->free_count[class_index] -= 1;
 	return ref;
@@ -237,7 +229,6 @@ static cni_ref free_pop(cni_blocks *blocks, int32_t class_index)
 static void tail_retire(cni_blocks *blocks)
 {
 	int32_t class_index;
-
 	for (class_index = CNI_BLOCK_CLASSES - 1; class_index >= 0; --class_index) {
 		while (blocks->tail_units >= class_units[class_index]) {
 			blocks->tail_units -= class_units[class_index];
@@ -251,7 +242,6 @@ static uint32_t chunk_wanted(const cni_blocks *blocks, int32_t class_index, int3
 {
 	uint64_t wanted = blocks->bytes_in_chunks / 16;
 	uint64_t lacking = (uint64_t)class_bytes(class_index) * (uint64_t)count;
-
 	wanted -= wanted % CHUNK_SMALLEST_BYTES;
 	if (wanted < CHUNK_SMALLEST_BYTES)
 		wanted = CHUNK_SMALLEST_BYTES;
@@ -265,7 +255,6 @@ static int32_t chunk_add(cni_blocks *blocks, int32_t class_index, uint32_t wante
 {
 	uint32_t piece = class_bytes(class_index), taken = 0;
 	uint8_t *chunk = NULL;
-
 	if (!slot_reserve(blocks))
 		return 0;
 	for (; chunk == NULL && wanted >= piece; wanted /= 2) {
@@ -285,7 +274,6 @@ static cni_ref class_alloc(cni_blocks *blocks, int32_t class_index)
 {
 	uint32_t units = class_units[class_index];
 	cni_ref ref;
-
 	if (blocks->free_head[class_index] != 0) {
 		ref = free_pop(blocks, class_index);
 	} else {
@@ -308,7 +296,6 @@ cni_ref cni_blocks_alloc(cni_blocks *blocks, uint64_t bytes)
 void cni_blocks_free(cni_blocks *blocks, cni_ref ref, uint64_t bytes)
 {
 	int32_t class_index;
-
 	if (ref == 0)
 		return;
 	if (bytes > CNI_BLOCK_LARGEST) {
@@ -325,7 +312,6 @@ void cni_blocks_free(cni_blocks *blocks, cni_ref ref, uint64_t bytes)
 static void tail_carve(cni_blocks *blocks, int32_t class_index, uint32_t pieces)
 {
 	uint32_t units = class_units[class_index], i;
-
 	for (i = pieces; i-- > 0;)
 		free_push(blocks, class_index, blocks->tail + i * units);
 	blocks->tail += pieces * units;
@@ -335,12 +321,10 @@ static void tail_carve(cni_blocks *blocks, int32_t class_index, uint32_t pieces)
 int32_t cni_blocks_reserve(cni_blocks *blocks, uint64_t bytes, int32_t count)
 {
 	int32_t class_index = class_fitting(bytes);
-
 	CNI_ASSERT(bytes > 0 && bytes <= CNI_BLOCK_LARGEST);
 	while (blocks->free_count[class_index] < count) {
 		int32_t lacking = count - blocks->free_count[class_index];
 		uint32_t pieces = blocks->tail_units / class_units[class_index];
-
 		if (pieces == 0 && !chunk_add(blocks, class_index, chunk_wanted(blocks, class_index, lacking)))
 			return 0;
 		if (pieces > (uint32_t)lacking)
@@ -357,14 +341,11 @@ int32_t cni_blocks_reserve(cni_blocks *blocks, uint64_t bytes, int32_t count)
 static int32_t chunks_of(const cni_pieces *pieces, int32_t kinds, cni_blocks *blocks, uint64_t *bytes)
 {
 	int32_t slots = 1, k;
-
 	for (k = 0; k < kinds; ++k) {
 		int32_t class_index = class_fitting(pieces[k].bytes), left;
 		uint32_t piece = class_bytes(class_index), most = CHUNK_LARGEST_BYTES / piece;
-
 		for (left = pieces[k].count; left > 0; left -= (int32_t)most) {
 			uint32_t count = (uint32_t)left < most ? (uint32_t)left : most;
-
 			++slots;
 			*bytes += cni_memory_rounded(count * piece);
 			if (blocks == NULL)
@@ -381,14 +362,12 @@ uint64_t cni_blocks_bytes_for(const cni_pieces *pieces, int32_t kinds)
 {
 	uint64_t bytes = 0;
 	int32_t slots = chunks_of(pieces, kinds, NULL, &bytes);
-
 	return bytes + cni_memory_rounded((uint64_t)table_rounded(slots) * CHUNK_SLOT_BYTES);
 }
 
 int32_t cni_blocks_reserve_exact(cni_blocks *blocks, const cni_pieces *pieces, int32_t kinds)
 {
 	uint64_t bytes = 0;
-
 	CNI_ASSERT(blocks->chunks.count == 0);
 	return table_grow(blocks, chunks_of(pieces, kinds, NULL, &bytes)) && chunks_of(pieces, kinds, blocks, &bytes) != 0;
 }

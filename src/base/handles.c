@@ -54,10 +54,8 @@ static int32_t key_of(const cni_alias *alias, int32_t by_slot) { return by_slot 
 static int32_t list_from(const cni_array *list, int32_t by_slot, int32_t key)
 {
 	int32_t low = 0, high = list->count;
-
 	while (low < high) {
 		int32_t middle = low + (high - low) / 2;
-
 		if (key_of((const cni_alias *)list->data + middle, by_slot) < key)
 			low = middle + 1;
 		else
@@ -70,7 +68,6 @@ static void list_insert(cni_array *list, int32_t by_slot, const cni_alias *alias
 {
 	int32_t k = list_from(list, by_slot, key_of(alias, by_slot));
 	cni_alias *at = (cni_alias *)list->data + k;
-
 	CNI_ASSERT(list->count < list->capacity);
 	memmove(at + 1, at, (size_t)(list->count - k) * sizeof *at);
 	*at = *alias;
@@ -81,7 +78,6 @@ static void list_remove(cni_array *list, int32_t by_slot, int32_t key)
 {
 	int32_t k = list_from(list, by_slot, key);
 	cni_alias *at = (cni_alias *)list->data + k;
-
 	list->count -= 1;
 	memmove(at, at + 1, (size_t)(list->count - k) * sizeof *at);
 }
@@ -91,7 +87,6 @@ static const cni_alias *alias_find(const cni_array *list, int32_t by_slot, int32
 {
 	int32_t k = list_from(list, by_slot, key);
 	const cni_alias *at = (const cni_alias *)list->data;
-
 	return k < list->count && key_of(at + k, by_slot) == key ? at + k : NULL;
 }
 
@@ -100,7 +95,6 @@ static int32_t alias_is_given(const cni_handles *handles, int32_t index) { retur
 int32_t cni_handles_alias_of(const cni_handles *handles, int32_t slot)
 {
 	const cni_alias *alias = alias_find(&handles->by_slot, 1, slot);
-
 	return alias != NULL ? alias->index : 0;
 }
 
@@ -108,7 +102,6 @@ int32_t cni_handles_alias_of(const cni_handles *handles, int32_t slot)
 static int32_t index_of(const cni_handles *handles, int32_t slot)
 {
 	int32_t alias = (int32_t)(slots_of(handles)[slot] & NEXT_MASK);
-
 	return alias != 0 ? alias : slot;
 }
 
@@ -116,7 +109,6 @@ static int32_t index_of(const cni_handles *handles, int32_t slot)
 static int32_t alias_behind_slots(cni_handles *handles)
 {
 	int32_t tries;
-
 	for (tries = handles->aliases.count + 2; tries > 0; --tries) {
 		if (handles->alias_next <= handles->slots.count)
 			handles->alias_next = INDEX_COUNT;
@@ -134,7 +126,6 @@ static int32_t alias_behind_slots(cni_handles *handles)
 static int32_t alias_choose(cni_handles *handles, int32_t slot)
 {
 	int32_t index = alias_behind_slots(handles);
-
 	if (index != CNI_NONE || !alias_is_given(handles, slot))
 		return index;
 	for (index = INDEX_COUNT - 1; index > 0; --index)
@@ -148,7 +139,6 @@ static void alias_give(cni_handles *handles, int32_t slot)
 {
 	int32_t old = cni_handles_alias_of(handles, slot);
 	cni_alias alias;
-
 	if (old != 0) {
 		list_remove(&handles->aliases, 0, old);
 		list_remove(&handles->by_slot, 1, slot);
@@ -172,7 +162,6 @@ int32_t cni_handles_reserve_aliases(cni_handles *handles, cni_memory *memory, in
 static int32_t aliases_wanted(const cni_handles *handles, int32_t slots)
 {
 	int32_t there = handles->aliases.count + handles->worn;
-
 	return there > 0 || slots > handles->alias_next ? there + slots - handles->slots.count : 0;
 }
 
@@ -181,7 +170,6 @@ cn_result cni_handles_reserve(cni_handles *handles, cni_memory *memory, int32_t 
 	int32_t used = handles->slots.count;
 	int32_t queued = used - handles->count;
 	int32_t slots = used;
-
 	if (extra - queued > CN_MAX_HANDLES - used)
 		return CN_ERROR_CAPACITY;
 	if (extra > queued)
@@ -228,7 +216,6 @@ int32_t cni_handles_take(cni_handles *handles)
 {
 	int32_t slot = cni_handles_peek(handles);
 	uint32_t *word = slots_of(handles) + slot;
-
 	CNI_ASSERT(slot < handles->slots.capacity && slot < CN_MAX_HANDLES);
 	if (slot == handles->slots.count)
 		*word = slot_new(handles, slot);
@@ -248,7 +235,6 @@ void cni_handles_release(cni_handles *handles, int32_t slot)
 {
 	uint32_t *word = slots_of(handles) + slot;
 	uint32_t generation = *word >> GENERATION_SHIFT;
-
 	CNI_ASSERT(cni_handles_alive(handles, slot));
 	handles->count -= 1;
 	handles->worn += generation == GENERATION_LAST;
@@ -262,7 +248,6 @@ int32_t cni_handles_find_alias(const cni_handles *handles, uint32_t handle)
 	uint32_t kind = (handle >> KIND_SHIFT) & 3u;
 	const cni_alias *alias = alias_find(&handles->aliases, 0, slot);
 	uint32_t word;
-
 	if (kind != (uint32_t)handles->kind)
 		return CNI_NONE;
 	if (alias == NULL && slot < handles->slots.count && cni_handles_alive(handles, slot) && index_of(handles, slot) != slot)
@@ -280,10 +265,8 @@ static int32_t own_find_all(const cni_handles *handles, const uint32_t *list, in
 	const uint32_t *slots = slots_of(handles);
 	uint32_t used = (uint32_t)handles->slots.count, kind = (uint32_t)handles->kind << KIND_SHIFT, wrong = 0;
 	int32_t k;
-
 	for (k = 0; k < count; ++k) {
 		uint32_t handle = list[k], index = handle & INDEX_MASK, within = index < used;
-
 		wrong |= (slots[within ? index : 0] ^ cni_handles_word(handle)) | ((handle ^ kind) & 3u << KIND_SHIFT) | !within;
 	}
 	return wrong == 0;
@@ -292,7 +275,6 @@ static int32_t own_find_all(const cni_handles *handles, const uint32_t *list, in
 int32_t cni_handles_find_all(const cni_handles *handles, const uint32_t *list, int32_t count)
 {
 	int32_t k;
-
 	if (handles->aliases.count == 0 && handles->slots.count > 0)
 		return own_find_all(handles, list, count);
 	for (k = 0; k < count; ++k)
@@ -304,7 +286,6 @@ int32_t cni_handles_find_all(const cni_handles *handles, const uint32_t *list, i
 uint32_t cni_handles_of(const cni_handles *handles, int32_t slot)
 {
 	uint32_t generation;
-
 	CNI_ASSERT(cni_handles_alive(handles, slot));
 	generation = slots_of(handles)[slot] >> GENERATION_SHIFT;
 	return generation << GENERATION_SHIFT | (uint32_t)handles->kind << KIND_SHIFT | (uint32_t)index_of(handles, slot);

@@ -50,7 +50,6 @@ static uint64_t two_over_pi_bits(int32_t start)
 {
 	int32_t word = start >> 5;
 	uint64_t both = (uint64_t)two_over_pi_words[word] << 32 | two_over_pi_words[word + 1];
-
 	return both << (start & 31) >> 32;
 }
 
@@ -74,7 +73,6 @@ static uint32_t reduce_large(float x, float *rest_rad)
 	uint64_t m, low, middle, high, fixed, k;
 	int32_t start;
 	float rest;
-
 	memcpy(&bits, &x, sizeof bits);
 	m = (bits & 0x7FFFFFu) | 0x800000u;
 	start = (int32_t)(bits >> 23 & 255u) - 150 + 30;
@@ -98,7 +96,6 @@ static uint32_t reduce_quarter(float x, float *rest_rad)
 {
 	int32_t k;
 	float kf;
-
 	if (!(cni_abs(x) <= REDUCE_SMALL_MAX_RAD))
 		return reduce_large(x, rest_rad);
 	k = round_near(x * TWO_OVER_PI);
@@ -112,7 +109,6 @@ cni_rot cni_sincos(float angle_rad)
 	float r, u, s, c;
 	uint32_t quarter;
 	cni_rot q = { 1.0f, angle_rad };
-
 	if (cni_abs(angle_rad) <= CNI_TINY_RAD)
 		return q;
 	quarter = reduce_quarter(angle_rad, &r);
@@ -133,7 +129,6 @@ static float atan_unit(float t)
 {
 	float u = t * t;
 	float p = 0.00262224954f;
-
 	p = p * u - 0.0151325585f;
 	p = p * u + 0.0411219038f;
 	p = p * u - 0.0736671016f;
@@ -150,7 +145,6 @@ float cni_atan2(float y, float x)
 	float ay = cni_abs(y);
 	float larger = cni_max(ax, ay);
 	float r, angle;
-
 	if (larger == 0.0f)
 		return 0.0f;
 	r = atan_unit(cni_min(ax, ay) / larger);
@@ -172,7 +166,6 @@ cni_rot cni_rot_small(float angle_rad)
 {
 	float u, s, c, k;
 	cni_rot q;
-
 	if (!(cni_abs(angle_rad) <= 1.0f))
 		return cni_sincos(angle_rad);
 	u = angle_rad * angle_rad;
@@ -190,7 +183,6 @@ static float wrap_near(float a)
 {
 	uint32_t quarter;
 	float k, r;
-
 	if (cni_abs(a) <= WRAP_SMALL_MAX_RAD) {
 		k = (float)round_near(a * ONE_OVER_TWO_PI);
 		return ((a - k * TURN_A) - k * TURN_B) - k * TURN_C;
@@ -207,7 +199,6 @@ static float wrap_near(float a)
 float cni_wrap_angle(float a)
 {
 	float r = a > -CNI_PI && a <= CNI_PI ? a : wrap_near(a);
-
 	if (r > CNI_PI)
 		r = ((r - TURN_A) - TURN_B) - TURN_C;
 	else if (r <= -CNI_PI)

@@ -23,7 +23,6 @@ struct cni_hole {
 uint64_t cni_memory_rounded(uint64_t bytes)
 {
 	uint64_t mask = CNI_MEMORY_ALIGN - 1;
-
 	return bytes > UINT64_MAX - mask ? UINT64_MAX - mask : (bytes + mask) & ~mask;
 }
 
@@ -34,7 +33,6 @@ static void *heap_alloc(uint64_t bytes, uint32_t align, void *user)
 {
 	uint64_t spare = align - 1 + sizeof(void *);
 	uint8_t *raw, *aligned;
-
 	(void)user;
 	if (bytes > SIZE_MAX - spare)
 		return NULL;
@@ -99,7 +97,6 @@ static void *block_alloc(cni_memory *memory, uint64_t bytes)
 {
 	cni_hole **link = &memory->holes;
 	cni_hole *hole;
-
 	while (*link != NULL && (*link)->bytes < bytes)
 		link = &(*link)->next;
 	hole = *link;
@@ -109,7 +106,6 @@ static void *block_alloc(cni_memory *memory, uint64_t bytes)
 		*link = hole->next;
 	} else {
 		cni_hole *rest = (cni_hole *)(void *)((uint8_t *)hole + bytes);
-
 		rest->next = hole->next;
 		rest->bytes = hole->bytes - bytes;
 		*link = rest;
@@ -121,7 +117,6 @@ static void *block_alloc(cni_memory *memory, uint64_t bytes)
 static void hole_merge_next(cni_hole *hole)
 {
 	cni_hole *next = hole->next;
-
 	CNI_ASSERT(next == NULL || (uint8_t *)hole + hole->bytes <= (uint8_t *)next);
 	if (next != NULL && (uint8_t *)hole + hole->bytes == (uint8_t *)next) {
 		hole->bytes += next->bytes;
@@ -134,7 +129,6 @@ static void block_free(cni_memory *memory, void *pointer, uint64_t bytes)
 	cni_hole *hole = (cni_hole *)pointer;
 	cni_hole *before = NULL;
 	cni_hole *after = memory->holes;
-
 	while (after != NULL && (uintptr_t)after < (uintptr_t)hole) {
 		before = after;
 		after = after->next;
@@ -154,7 +148,6 @@ static void block_free(cni_memory *memory, void *pointer, uint64_t bytes)
 static void *hook_alloc(cni_memory *memory, uint64_t bytes)
 {
 	void *pointer = memory->alloc(bytes, CNI_MEMORY_ALIGN, memory->user);
-
 	if (pointer != NULL && (uintptr_t)pointer % CNI_MEMORY_ALIGN != 0) {
 		memory->free(pointer, bytes, memory->user);
 		pointer = NULL;
@@ -166,7 +159,6 @@ void *cni_memory_alloc(cni_memory *memory, uint64_t bytes)
 {
 	uint64_t taken = memory->fixed ? cni_memory_rounded(bytes) : bytes;
 	void *pointer;
-
 	CNI_ASSERT(bytes > 0);
 	memory->calls += 1;
 	pointer = memory->fixed ? block_alloc(memory, taken) : hook_alloc(memory, taken);
@@ -181,7 +173,6 @@ void *cni_memory_alloc(cni_memory *memory, uint64_t bytes)
 void cni_memory_free(cni_memory *memory, void *pointer, uint64_t bytes)
 {
 	uint64_t taken = memory->fixed ? cni_memory_rounded(bytes) : bytes;
-
 	if (pointer == NULL)
 		return;
 	CNI_ASSERT(bytes > 0 && memory->bytes_in_use >= taken);

@@ -20,10 +20,8 @@
 static int32_t keys_insert(uint64_t *keys, int32_t count, int64_t budget)
 {
 	int32_t i, j;
-
 	for (i = 1; i < count && budget >= 0; ++i) {
 		uint64_t key = keys[i];
-
 		for (j = i; j > 0 && keys[j - 1] > key; --j)
 			keys[j] = keys[j - 1];
 		keys[j] = key;
@@ -42,7 +40,6 @@ static uint64_t keys_differing(const uint64_t *keys, int32_t count)
 {
 	uint64_t differing = 0;
 	int32_t i;
-
 	for (i = 1; i < count; ++i)
 		differing |= keys[i] ^ keys[0];
 	return differing;
@@ -58,13 +55,11 @@ static void digits_locate(const uint64_t *keys, int32_t count, int32_t shift, in
 {
 	int32_t sum = 0;
 	int32_t i;
-
 	memset(first, 0, 256 * sizeof *first);
 	for (i = 0; i < count; ++i)
 		++first[key_digit(keys[i], shift)];
 	for (i = 0; i < 256; ++i) {
 		int32_t digit_count = first[i];
-
 		first[i] = sum;
 		sum += digit_count;
 	}
@@ -76,13 +71,11 @@ void cni_sort_keys(uint64_t *keys, uint64_t *scratch, int32_t count)
 	int32_t first[256];
 	uint64_t differing;
 	int32_t shift, i;
-
 	if (keys_insert(keys, count, shift_budget(count, scratch != NULL)))
 		return;
 	differing = keys_differing(keys, count);
 	for (shift = 0; shift < 64; shift += 8) {
 		uint64_t *swap = to;
-
 		if (key_digit(differing, shift) == 0)
 			continue;
 		digits_locate(from, count, shift, first);
@@ -100,7 +93,6 @@ uint32_t cni_sort_float_key(float x)
 {
 	float positive_zero = x == 0.0f ? 0.0f : x;
 	uint32_t bits;
-
 	memcpy(&bits, &positive_zero, sizeof bits);
 	return bits >> 31 ? ~bits : bits | UINT32_C(0x80000000);
 }

@@ -46,7 +46,6 @@ void cni_table_deinit(cni_table *table, cni_memory *memory)
 static int64_t table_pages_for(const cni_table *table, int32_t count)
 {
 	int64_t page_items = (int64_t)1 << table->page_shift;
-
 	return count > 0 ? ((int64_t)count + page_items - 1) >> table->page_shift : 0;
 }
 
@@ -54,7 +53,6 @@ static int64_t table_pages_for(const cni_table *table, int32_t count)
 static int32_t table_reserve_pointers(cni_table *table, cni_memory *memory, int32_t page_count)
 {
 	cni_array pages = { table->pages, table->page_count, table->page_capacity, (int32_t)sizeof *table->pages };
-
 	if (!cni_array_reserve(&pages, memory, page_count))
 		return 0;
 	table->pages = (uint8_t **)pages.data;
@@ -67,14 +65,12 @@ int32_t cni_table_grow(cni_table *table, cni_memory *memory, int32_t count)
 	int64_t page_count = table_pages_for(table, count);
 	uint64_t page_bytes = table_page_bytes(table);
 	int32_t before = table->page_count, i;
-
 	if (page_count << table->page_shift > INT32_MAX || page_count > TABLE_PAGES_MAX)
 		return 0;
 	if (!table_reserve_pointers(table, memory, (int32_t)page_count))
 		return 0;
 	while (table->page_count < page_count) {
 		uint8_t *page = (uint8_t *)cni_memory_alloc(memory, page_bytes);
-
 		if (page == NULL) {
 			table_cut(table, memory, before);
 			return 0;
@@ -89,7 +85,6 @@ int32_t cni_table_grow(cni_table *table, cni_memory *memory, int32_t count)
 uint64_t cni_table_bytes_for(const cni_table *table, int32_t count)
 {
 	uint64_t page_count = (uint64_t)table_pages_for(table, count);
-
 	return page_count * cni_memory_rounded(table_page_bytes(table)) + cni_memory_rounded(page_count * sizeof *table->pages);
 }
 
@@ -115,7 +110,6 @@ static int32_t array_grown_capacity(const cni_array *array, int32_t count)
 {
 	uint64_t item_bytes = (uint64_t)array->item_bytes;
 	uint64_t capacity = (uint64_t)array->capacity, bytes;
-
 	capacity += capacity * item_bytes > ARRAY_LARGE_BYTES ? capacity / 8 : capacity / 2;
 	if (capacity < (uint64_t)count)
 		capacity = (uint64_t)count;
@@ -129,7 +123,6 @@ static int32_t array_move(cni_array *array, cni_memory *memory, int32_t capacity
 {
 	uint64_t item_bytes = (uint64_t)array->item_bytes;
 	void *data = cni_memory_alloc(memory, (uint64_t)capacity * item_bytes);
-
 	if (data == NULL)
 		return 0;
 	CNI_ASSERT(array->count >= 0 && array->count <= array->capacity);
@@ -144,7 +137,6 @@ static int32_t array_move(cni_array *array, cni_memory *memory, int32_t capacity
 int32_t cni_array_grow(cni_array *array, cni_memory *memory, int32_t count)
 {
 	int32_t grown = array_grown_capacity(array, count);
-
 	/* When memory is short, tries again without spare capacity. */
 	return array_move(array, memory, grown) || (grown > count && array_move(array, memory, count));
 }
