@@ -1,6 +1,6 @@
 /*
  * base/wide.h - arithmetic on several floats at once, for kernels that are written once and compiled for
- * each width: the file that includes this defines CNI_WIDTH as 1, 4, 8 or 16 first.
+ * each width: the file that includes this defines CNI_WIDTH as 1, 4 or 8 first.
  *
  *   cni_wide   CNI_WIDTH floats; + - * / work lane by lane
  *   cni_mask   the result of comparing two of them, for cni_wide_select

@@ -1,13 +1,5 @@
 /*
- * broadphase/sweep.h - private to the files of the tiled sweep-and-prune broadphase:
- *
- *   sweep.c         the operations of broadphase/broadphase.h, validation, memory figures, snapshots
- *   sweep_tiles.c   levels, the tile table, entries in a tile
- *   sweep_settle.c  brings tiles up to date with the boxes (migrate, sort) and chooses sizes
- *   sweep_pairs.c   finds the pairs that began to overlap: plans the searches, for one thread or several workers
- *   sweep_search.c  ... a single search (tile with itself, with another, one entry with all); sweep_pass.h
- *   sweep_lanes.h   ... its inner loop, for each vector width
- *   sweep_query.c   region and ray queries through the same tiles
+ * broadphase/sweep.h - private to the files of the tiled sweep-and-prune broadphase, which src/README.md lists.
  *
  * Boxes are sorted by size into levels (S_l = S0 * 4^l: a box goes to the lowest level whose S_l exceeds its larger
  * side), and within a level by their lower corner into tiles 8 S_l wide and 2 S_l high:

@@ -9,6 +9,7 @@
  * returned. Grid traversal after Amanatides and Woo (1987), by rows instead of cells because tiles overlap their
  * neighbours.
  */
+#include "broadphase/ray.h"
 #include "broadphase/sweep_lanes.h"
 
 /* ---- regions ---- */
@@ -98,86 +99,39 @@ void cni_sweep_query(const cni_broadphase *broadphase, const cni_aabb *box, cni_
 
 typedef struct ray_pass {
 	const cni_sweep *sweep;
-	cni_vec2 o, d;     /* the ray is o + t d */
-	float limit;       /* for t in [0, limit] */
-	cni_aabb box;      /* of the ray up to limit */
+	cni_ray ray;
 	cni_query_fn *visit;
 	void *context;
 } ray_pass;
 
-static void ray_limit(ray_pass *ray, float limit)
-{
-	ray->limit = limit;
-	ray->box = cni_aabb_of_segment(ray->o, cni_madd(ray->o, limit, ray->d));
-}
-
-/* Separating axes: x, y and the normal n of d. With c a corner relative to o, n.c = d.x c.y - d.y c.x is least and greatest
-   at corners that depend only on the signs of d. Rounding errs towards a hit. */
-static inline int32_t line_crosses(float dx, float dy, float least_x, float least_y, float most_x, float most_y)
-{
-	float a = dx * least_y, b = dy * least_x, c = dx * most_y, d = dy * most_x;
-	float error = 1e-6f * (cni_abs(a) + cni_abs(b) + cni_abs(c) + cni_abs(d));
-	return (a - b <= error) & (c - d >= -error);
-}
-
-static int32_t ray_crosses(const ray_pass *ray, const cni_aabb *b)
-{
-	float y0 = b->y0 - ray->o.y, y1 = b->y1 - ray->o.y;
-	float x0 = b->x0 - ray->o.x, x1 = b->x1 - ray->o.x;
-	int32_t right = ray->d.x >= 0.0f, up = ray->d.y >= 0.0f;
-	return cni_aabb_overlap(&ray->box, b) &&
-	       line_crosses(ray->d.x, ray->d.y, up ? x1 : x0, right ? y0 : y1, up ? x0 : x1, right ? y1 : y0);
-}
-
 /* Visits a proxy that the ray crosses; 0 when the visitor stops the ray. */
-static int32_t ray_visit(ray_pass *ray, int32_t id)
+static int32_t ray_visit(ray_pass *r, int32_t id)
 {
-	float limit = ray->visit(ray->context, id, ray->limit);
-	if (limit < ray->limit)
-		ray_limit(ray, limit);
+	float limit = r->visit(r->context, id, r->ray.limit);
+	if (limit < r->ray.limit)
+		cni_ray_limit(&r->ray, limit);
 	return limit > 0.0f;
 }
 
-/* A tile's rows, and the rows of the corners that are least and greatest along the normal. */
-typedef struct ray_lanes {
-	cni_sweep_rows rows;
-	const float *least_x, *least_y, *most_x, *most_y;
-} ray_lanes;
-
-static ray_lanes ray_lanes_of(const ray_pass *ray, const cni_sweep_rows *rows)
-{
-	int32_t right = ray->d.x >= 0.0f, up = ray->d.y >= 0.0f;
-	ray_lanes lanes = { *rows, up ? rows->x1 : rows->x0, right ? rows->y0 : rows->y1,
-	                    up ? rows->x0 : rows->x1, right ? rows->y1 : rows->y0 };
-	return lanes;
-}
-
-static inline int32_t ray_crosses_entry(const ray_pass *ray, const ray_lanes *lanes, int32_t k)
-{
-	const cni_sweep_rows *rows = &lanes->rows;
-	if (!((rows->x1[k] >= ray->box.x0) & (rows->x0[k] <= ray->box.x1) & (rows->y0[k] <= ray->box.y1) & (rows->y1[k] >= ray->box.y0)))
-		return 0;
-	return line_crosses(ray->d.x, ray->d.y, lanes->least_x[k] - ray->o.x, lanes->least_y[k] - ray->o.y, lanes->most_x[k] - ray->o.x,
-	                    lanes->most_y[k] - ray->o.y);
-}
-
 /* Visits the entries that the ray crosses between x0 and x1, in its direction. */
-static int32_t ray_tile(ray_pass *ray, const cni_sweep_tile *tile, float x0, float x1)
+static int32_t ray_tile(ray_pass *r, const cni_sweep_tile *tile, float x0, float x1)
 {
-	cni_sweep_rows rows = cni_sweep_rows_of(ray->sweep, tile);
-	ray_lanes lanes = ray_lanes_of(ray, &rows);
-	int32_t step = ray->d.x < 0.0f ? -1 : 1;
+	cni_sweep_rows rows = cni_sweep_rows_of(r->sweep, tile);
+	int32_t step = r->ray.d.x < 0.0f ? -1 : 1;
 	float from = x0 - tile->reach;
-	int32_t k = step > 0 ? cni_sweep_entry_from(rows.x0, tile->count, from)
-	                     : cni_sweep_entry_bound(&rows, tile->count, x1, INT32_MAX) - 1;
-	for (; k >= 0 && k < tile->count && rows.x0[k] >= from && rows.x0[k] <= x1; k += step)
-		if (ray_crosses_entry(ray, &lanes, k) && !is_loose(ray->sweep, rows.id[k]) && !ray_visit(ray, rows.id[k]))
+	int32_t k = step > 0 ? cni_sweep_entry_from(rows.x0, tile->count, from) : cni_sweep_entry_bound(&rows, tile->count, x1, INT32_MAX) - 1;
+	for (; k >= 0 && k < tile->count && rows.x0[k] >= from && rows.x0[k] <= x1; k += step) {
+		cni_aabb box = cni_sweep_box_at(&rows, k);
+		if (!cni_aabb_overlap_branchless(&r->ray.box, &box) || !cni_ray_line_crosses(&r->ray, &box) || is_loose(r->sweep, rows.id[k]))
+			continue;
+		if (!ray_visit(r, rows.id[k]))
 			return 0;
+	}
 	return 1;
 }
 
 /* The x range of the ray between two heights, widened for rounding; 0 when it is empty. */
-static int32_t ray_stretch(const ray_pass *ray, float y0, float y1, float *x0, float *x1)
+static int32_t ray_stretch(const cni_ray *ray, float y0, float y1, float *x0, float *x1)
 {
 	float t0 = 0.0f, t1 = ray->limit;
 	cni_vec2 o = ray->o, d = ray->d;
@@ -196,76 +150,70 @@ static int32_t ray_stretch(const ray_pass *ray, float y0, float y1, float *x0, f
 }
 
 /* Visits a row of tiles. Entries of the clamped outermost cells may be anywhere, so the ray is not cut for those rows. */
-static int32_t ray_row(ray_pass *ray, int32_t l, int32_t ty, const cni_sweep_cells *cells)
+static int32_t ray_row(ray_pass *r, int32_t l, int32_t ty, const cni_sweep_cells *cells)
 {
-	const cni_sweep_level *level = &ray->sweep->levels[l];
+	const cni_sweep_level *level = &r->sweep->levels[l];
 	float height = 2.0f * level->size;
-	float x0 = ray->box.x0, x1 = ray->box.x1;
+	float x0 = r->ray.box.x0, x1 = r->ray.box.x1;
 	int32_t i, tx0, tx1;
 	if (level->per_height > 0.0f && ty > -1000000000 && ty < 1000000000 &&
-	    !ray_stretch(ray, (float)ty * height, (float)(ty + 1) * height + level->reach, &x0, &x1))
+	    !ray_stretch(&r->ray, (float)ty * height, (float)(ty + 1) * height + level->reach, &x0, &x1))
 		return 1;
 	tx0 = cni_max_i(cells->tx0, cni_sweep_cell_x(level, level->per_width > 0.0f ? x0 - level->reach : x0));
 	tx1 = cni_min_i(cells->tx1, cni_sweep_cell_x(level, x1));
 	for (i = 0; i <= tx1 - tx0; ++i) {
-		int32_t tile = cni_sweep_tile_find(ray->sweep, l, ray->d.x < 0.0f ? tx1 - i : tx0 + i, ty);
-		if (tile != CNI_NONE && ray_crosses(ray, &cni_sweep_tile_at(ray->sweep, tile)->bounds) &&
-		    !ray_tile(ray, cni_sweep_tile_at(ray->sweep, tile), x0, x1))
+		int32_t tile = cni_sweep_tile_find(r->sweep, l, r->ray.d.x < 0.0f ? tx1 - i : tx0 + i, ty);
+		if (tile != CNI_NONE && cni_ray_crosses(&r->ray, &cni_sweep_tile_at(r->sweep, tile)->bounds) &&
+		    !ray_tile(r, cni_sweep_tile_at(r->sweep, tile), x0, x1))
 			return 0;
 	}
 	return 1;
 }
 
 /* Visits all tiles of a level: for rays that would look up more cells than there are tiles. */
-static int32_t ray_all_tiles(ray_pass *ray, int32_t l)
+static int32_t ray_all_tiles(ray_pass *r, int32_t l)
 {
 	int32_t i;
-	for (i = 0; i < ray->sweep->tiles.count; ++i) {
-		const cni_sweep_tile *tile = cni_sweep_tile_at(ray->sweep, i);
-		if (tile->level == l && ray_crosses(ray, &tile->bounds) && !ray_tile(ray, tile, ray->box.x0, ray->box.x1))
+	for (i = 0; i < r->sweep->tiles.count; ++i) {
+		const cni_sweep_tile *tile = cni_sweep_tile_at(r->sweep, i);
+		if (tile->level == l && cni_ray_crosses(&r->ray, &tile->bounds) && !ray_tile(r, tile, r->ray.box.x0, r->ray.box.x1))
 			return 0;
 	}
 	return 1;
 }
 
-static int32_t ray_level(ray_pass *ray, int32_t l)
+static int32_t ray_level(ray_pass *r, int32_t l)
 {
 	cni_sweep_cells cells;
 	int32_t i, rows;
-	if (!(ray->sweep->level_mask >> l & 1u) || !cni_sweep_cells_of(&ray->sweep->levels[l], &ray->box, &cells))
+	if (!(r->sweep->level_mask >> l & 1u) || !cni_sweep_cells_of(&r->sweep->levels[l], &r->ray.box, &cells))
 		return 1;
-	if ((int64_t)cells.tx1 - cells.tx0 + 3 * ((int64_t)cells.ty1 - cells.ty0 + 1) > (int64_t)ray->sweep->tiles.count + 8)
-		return ray_all_tiles(ray, l);
+	if ((int64_t)cells.tx1 - cells.tx0 + 3 * ((int64_t)cells.ty1 - cells.ty0 + 1) > (int64_t)r->sweep->tiles.count + 8)
+		return ray_all_tiles(r, l);
 	rows = cells.ty1 - cells.ty0 + 1;
 	for (i = 0; i < rows; ++i)
-		if (!ray_row(ray, l, ray->d.y < 0.0f ? cells.ty1 - i : cells.ty0 + i, &cells))
+		if (!ray_row(r, l, r->ray.d.y < 0.0f ? cells.ty1 - i : cells.ty0 + i, &cells))
 			return 0;
 	return 1;
 }
 
-static void ray_loose(ray_pass *ray)
+static void ray_loose(ray_pass *r)
 {
-	cni_sweep_walk walk = cni_sweep_walk_bits(ray->sweep, &ray->sweep->loose);
+	cni_sweep_walk walk = cni_sweep_walk_bits(r->sweep, &r->sweep->loose);
 	int32_t id;
-	if (ray->sweep->loose_count == 0)
+	if (r->sweep->loose_count == 0)
 		return;
 	while ((id = cni_sweep_walk_next(&walk)) != CNI_NONE)
-		if (ray_crosses(ray, &cni_sweep_proxy(ray->sweep, id)->fat) && !ray_visit(ray, id))
+		if (cni_ray_crosses(&r->ray, &cni_sweep_proxy(r->sweep, id)->fat) && !ray_visit(r, id))
 			return;
 }
 
 void cni_sweep_ray(const cni_broadphase *broadphase, cni_vec2 origin, cni_vec2 translation, cni_query_fn *visit, void *context)
 {
-	ray_pass ray;
+	ray_pass r = { cni_sweep_of(broadphase), cni_ray_make(origin, translation), visit, context };
 	int32_t l;
-	ray.sweep = cni_sweep_of(broadphase);
-	ray.o = origin;
-	ray.d = translation;
-	ray.visit = visit;
-	ray.context = context;
-	ray_limit(&ray, 1.0f);
 	for (l = CNI_SWEEP_LEVELS - 1; l >= 0; --l)
-		if (!ray_level(&ray, l))
+		if (!ray_level(&r, l))
 			return;
-	ray_loose(&ray);
+	ray_loose(&r);
 }

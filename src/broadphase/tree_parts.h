@@ -1,9 +1,5 @@
 /*
  * broadphase/tree_parts.h - private to the files of the tree: cost, unions, rotations, repair.
- *
- *   tree.c          memory, insertion by least cost, removal by sibling, rotations, checks
- *   tree_settle.c   many changed boxes at once: refit with rotations, rebuild
- *   tree_search.c   regions, rays, pairs
  */
 #ifndef CNI_BROADPHASE_TREE_PARTS_H
 #define CNI_BROADPHASE_TREE_PARTS_H

@@ -6,6 +6,7 @@
  * near in the tree. Of two moved items the one in the left subtree finds the pair, so that each pair is found once and no
  * subtree of moved items is searched twice for it.
  */
+#include "broadphase/ray.h"
 #include "broadphase/tree_parts.h"
 
 /* ---- regions ---- */
@@ -33,63 +34,34 @@ void cni_tree_query(const cni_tree *tree, const cni_aabb *box, cni_tree_visit_fn
 
 /* ---- rays ---- */
 
-typedef struct tree_ray {
-	cni_vec2 o, d;     /* o + t d */
-	float ax, ay;      /* |d.x|, |d.y| */
-	float limit;       /* t in [0, limit] */
-	cni_aabb box;      /* of the ray up to limit */
-} tree_ray;
-
-static void ray_limit(tree_ray *ray, float limit)
-{
-	ray->limit = limit;
-	ray->box = cni_aabb_of_segment(ray->o, cni_madd(ray->o, limit, ray->d));
-}
-
-/* Separating axes: x, y and the normal n = (-d.y, d.x) of the ray. A box with centre c relative to o and half sides e
-   touches the line when |n . c| <= |n| . e. The code uses twice both sides. Rounding errs towards a hit; an overflow is a
-   hit. */
-static inline int32_t ray_crosses(const tree_ray *ray, const cni_aabb *b)
-{
-	float cx = (b->x0 - ray->o.x) + (b->x1 - ray->o.x), cy = (b->y0 - ray->o.y) + (b->y1 - ray->o.y);
-	float p = ray->d.x * cy, q = ray->d.y * cx, reach = ray->ax * (b->y1 - b->y0) + ray->ay * (b->x1 - b->x0);
-	float error = 1e-6f * (cni_abs(p) + cni_abs(q) + reach);
-	return cni_aabb_overlap_branchless(&ray->box, b) & !(cni_abs(p - q) > reach + error);
-}
-
 /* Twice the projection of the box's centre on the ray's direction. */
-static inline float ray_order(const tree_ray *ray, const cni_aabb *b)
+static inline float ray_order(const cni_ray *ray, const cni_aabb *b)
 {
 	return ray->d.x * (b->x0 + b->x1) + ray->d.y * (b->y0 + b->y1);
 }
 
 /* Pushes the sides of a node that the ray crosses, the nearer one on top; returns the new top. */
-static int32_t ray_push(const cni_tree *tree, const tree_ray *ray, int32_t node, int32_t *stack, int32_t top)
+static int32_t ray_push(const cni_tree *tree, const cni_ray *ray, int32_t node, int32_t *stack, int32_t top)
 {
 	const cni_tree_node *f = cni_tree_node_at(tree, node);
 	int32_t near = ray_order(ray, &f->box[1]) < ray_order(ray, &f->box[0]);
 	stack[top] = 2 * node + 1 - near;
-	top += ray_crosses(ray, &f->box[1 - near]);
+	top += cni_ray_crosses(ray, &f->box[1 - near]);
 	stack[top] = 2 * node + near;
-	return top + ray_crosses(ray, &f->box[near]);
+	return top + cni_ray_crosses(ray, &f->box[near]);
 }
 
 void cni_tree_ray(const cni_tree *tree, cni_vec2 origin, cni_vec2 translation, cni_tree_visit_fn *visit, void *context)
 {
 	int32_t stack[CNI_TREE_STACK], top = 0;
-	tree_ray ray;
-	ray.o = origin;
-	ray.d = translation;
-	ray.ax = cni_abs(translation.x);
-	ray.ay = cni_abs(translation.y);
-	ray_limit(&ray, 1.0f);
-	if (tree->count > 0 && ray_crosses(&ray, cni_tree_box(tree, CNI_TREE_ROOT)))
+	cni_ray ray = cni_ray_make(origin, translation);
+	if (tree->count > 0 && cni_ray_crosses(&ray, cni_tree_box(tree, CNI_TREE_ROOT)))
 		stack[top++] = CNI_TREE_ROOT;
 	while (top > 0 && top + 2 <= CNI_TREE_STACK) {
 		int32_t place = stack[--top], child = cni_tree_child(tree, place);
 		float limit = ray.limit;
 		/* The ray may have become shorter since the push. */
-		if (limit < 1.0f && !ray_crosses(&ray, cni_tree_box(tree, place)))
+		if (limit < 1.0f && !cni_ray_crosses(&ray, cni_tree_box(tree, place)))
 			continue;
 		if (cni_tree_is_node(child))
 			top = ray_push(tree, &ray, child, stack, top);
@@ -98,7 +70,7 @@ void cni_tree_ray(const cni_tree *tree, cni_vec2 origin, cni_vec2 translation, c
 		if (!(limit > 0.0f))
 			return;
 		if (limit < ray.limit)
-			ray_limit(&ray, limit);
+			cni_ray_limit(&ray, limit);
 	}
 }
 

@@ -1,11 +1,5 @@
 /*
  * geometry/outline.h - outlines: closed or open rows of points that need not be convex. Pure functions; nothing here knows a world.
- *
- * orientation.c        on which side of a line a point lies, exactly
- * outline_clean.c      removes close and collinear points; requires a simple polygon; makes it counter-clockwise
- * outline_decompose.c  a simple polygon into convex pieces
- * outline_simplify.c   fewer points within a tolerance
- * outline_grid.c       the boundary of the solid part of a grid
  */
 #ifndef CNI_GEOMETRY_OUTLINE_H
 #define CNI_GEOMETRY_OUTLINE_H
