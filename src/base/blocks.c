@@ -225,7 +225,6 @@ static cni_ref free_pop(cni_blocks *blocks, int32_t class_index)
 	return ref;
 }
 
-/* Carves the rest of the tail into the largest classes that fit. */
 static void tail_retire(cni_blocks *blocks)
 {
 	int32_t class_index;

@@ -14,12 +14,8 @@
 
 #include <string.h>
 
-#define GENERATION_SHIFT CNI_HANDLE_GENERATION_SHIFT
 #define GENERATION_LAST 1023u
-#define KIND_SHIFT CNI_HANDLE_KIND_SHIFT
 #define INDEX_COUNT (1 << 20)
-#define INDEX_MASK CNI_HANDLE_INDEX_MASK
-#define ALIVE_BIT CNI_HANDLE_ALIVE_BIT
 #define NEXT_MASK 0x1FFFFFu
 
 static uint32_t *slots_of(const cni_handles *handles) { return (uint32_t *)handles->slots.data; }
@@ -207,7 +203,7 @@ static uint32_t slot_new(cni_handles *handles, int32_t slot)
 {
 	handles->slots.count += 1;
 	if (slot < handles->alias_next && !alias_is_given(handles, slot))
-		return (uint32_t)1 << GENERATION_SHIFT;
+		return (uint32_t)1 << CNI_HANDLE_GENERATION_SHIFT;
 	handles->worn += 1;
 	return 0;
 }
@@ -221,12 +217,12 @@ int32_t cni_handles_take(cni_handles *handles)
 		*word = slot_new(handles, slot);
 	else
 		queue_remove_first(handles);
-	if (*word >> GENERATION_SHIFT == 0) {
+	if (*word >> CNI_HANDLE_GENERATION_SHIFT == 0) {
 		handles->worn -= 1;
 		alias_give(handles, slot);
-		*word = (uint32_t)1 << GENERATION_SHIFT;
+		*word = (uint32_t)1 << CNI_HANDLE_GENERATION_SHIFT;
 	}
-	*word = (*word & ~NEXT_MASK) | ALIVE_BIT | (uint32_t)cni_handles_alias_of(handles, slot);
+	*word = (*word & ~NEXT_MASK) | CNI_HANDLE_ALIVE_BIT | (uint32_t)cni_handles_alias_of(handles, slot);
 	handles->count += 1;
 	return slot;
 }
@@ -234,18 +230,18 @@ int32_t cni_handles_take(cni_handles *handles)
 void cni_handles_release(cni_handles *handles, int32_t slot)
 {
 	uint32_t *word = slots_of(handles) + slot;
-	uint32_t generation = *word >> GENERATION_SHIFT;
+	uint32_t generation = *word >> CNI_HANDLE_GENERATION_SHIFT;
 	CNI_ASSERT(cni_handles_alive(handles, slot));
 	handles->count -= 1;
 	handles->worn += generation == GENERATION_LAST;
-	*word = generation == GENERATION_LAST ? 0 : (generation + 1) << GENERATION_SHIFT;
+	*word = generation == GENERATION_LAST ? 0 : (generation + 1) << CNI_HANDLE_GENERATION_SHIFT;
 	queue_append(handles, slot);
 }
 
 int32_t cni_handles_find_alias(const cni_handles *handles, uint32_t handle)
 {
-	int32_t slot = (int32_t)(handle & INDEX_MASK);
-	uint32_t kind = (handle >> KIND_SHIFT) & 3u;
+	int32_t slot = (int32_t)(handle & CNI_HANDLE_INDEX_MASK);
+	uint32_t kind = (handle >> CNI_HANDLE_KIND_SHIFT) & 3u;
 	const cni_alias *alias = alias_find(&handles->aliases, 0, slot);
 	uint32_t word;
 	if (kind != (uint32_t)handles->kind)
@@ -256,18 +252,18 @@ int32_t cni_handles_find_alias(const cni_handles *handles, uint32_t handle)
 	if (slot >= handles->slots.count)
 		return CNI_NONE;
 	word = slots_of(handles)[slot];
-	return (word & ALIVE_BIT) && word >> GENERATION_SHIFT == handle >> GENERATION_SHIFT ? slot : CNI_NONE;
+	return (word & CNI_HANDLE_ALIVE_BIT) && word >> CNI_HANDLE_GENERATION_SHIFT == handle >> CNI_HANDLE_GENERATION_SHIFT ? slot : CNI_NONE;
 }
 
 /* Without a branch per handle, so that the reads overlap. Slot 0 stands for indices behind the end. */
 static int32_t own_find_all(const cni_handles *handles, const uint32_t *list, int32_t count)
 {
 	const uint32_t *slots = slots_of(handles);
-	uint32_t used = (uint32_t)handles->slots.count, kind = (uint32_t)handles->kind << KIND_SHIFT, wrong = 0;
+	uint32_t used = (uint32_t)handles->slots.count, kind = (uint32_t)handles->kind << CNI_HANDLE_KIND_SHIFT, wrong = 0;
 	int32_t k;
 	for (k = 0; k < count; ++k) {
-		uint32_t handle = list[k], index = handle & INDEX_MASK, within = index < used;
-		wrong |= (slots[within ? index : 0] ^ cni_handles_word(handle)) | ((handle ^ kind) & 3u << KIND_SHIFT) | !within;
+		uint32_t handle = list[k], index = handle & CNI_HANDLE_INDEX_MASK, within = index < used;
+		wrong |= (slots[within ? index : 0] ^ cni_handles_word(handle)) | ((handle ^ kind) & 3u << CNI_HANDLE_KIND_SHIFT) | !within;
 	}
 	return wrong == 0;
 }
@@ -287,11 +283,11 @@ uint32_t cni_handles_of(const cni_handles *handles, int32_t slot)
 {
 	uint32_t generation;
 	CNI_ASSERT(cni_handles_alive(handles, slot));
-	generation = slots_of(handles)[slot] >> GENERATION_SHIFT;
-	return generation << GENERATION_SHIFT | (uint32_t)handles->kind << KIND_SHIFT | (uint32_t)index_of(handles, slot);
+	generation = slots_of(handles)[slot] >> CNI_HANDLE_GENERATION_SHIFT;
+	return generation << CNI_HANDLE_GENERATION_SHIFT | (uint32_t)handles->kind << CNI_HANDLE_KIND_SHIFT | (uint32_t)index_of(handles, slot);
 }
 
 int32_t cni_handles_alive(const cni_handles *handles, int32_t slot)
 {
-	return slot >= 0 && slot < handles->slots.count && (slots_of(handles)[slot] & ALIVE_BIT) != 0;
+	return slot >= 0 && slot < handles->slots.count && (slots_of(handles)[slot] & CNI_HANDLE_ALIVE_BIT) != 0;
 }

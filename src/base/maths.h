@@ -144,15 +144,13 @@ static inline float cni_saturate(float x) { return x > FLT_MAX ? FLT_MAX : x < -
 #define CNI_TINY_RAD 2.44140625e-4f /* 2^-12: to here sine and cosine round to x and 1, and below some x their polynomials are subnormal, which is slow */
 #define CNI_NEAR_RAD 0.75f          /* to here an angle is its own rest */
 
-/* Any finite angle; absolute error of each component <= 1.5e-7 (argument reduction in three parts after
-   Cody and Waite up to 1e4, in integers after Payne and Hanek beyond; minimax polynomials). The result is
-   within 1e-6 of unit length, also for angles that are not finite. */
+/* Any finite angle; absolute error of each component <= 1.5e-7. The result is within 1e-6 of unit length, also for angles that are
+   not finite. */
 cni_rot cni_sincos(float angle_rad);
 /* In (-pi, pi]; error <= 3e-7 rad; (0, 0) gives 0. */
 float cni_atan2(float y, float x);
-/* Rotation by a small angle without range reduction: sin to degree 5, cos to degree 4, then normalised
-   to first order. |angle| <= 1: error < 2e-4; |angle| <= 0.25: < 1e-6; unit length within 3e-7. Larger angles
-   use cni_sincos. See maths.c. */
+/* Rotation by a small angle without range reduction. |angle| <= 1: error < 2e-4; |angle| <= 0.25: < 1e-6; unit length within 3e-7.
+   Larger angles use cni_sincos. */
 cni_rot cni_rot_small(float angle_rad);
 /* The angle in (-pi, pi] equal to a modulo 2 pi; error <= 3e-7 rad for any finite a. */
 float cni_wrap_angle(float a);

@@ -54,20 +54,8 @@ static void heap_free(void *memory, uint64_t bytes, void *user)
 
 #else
 
-static void *heap_alloc(uint64_t bytes, uint32_t align, void *user)
-{
-	(void)bytes;
-	(void)align;
-	(void)user;
-	return NULL;
-}
-
-static void heap_free(void *memory, uint64_t bytes, void *user)
-{
-	(void)memory;
-	(void)bytes;
-	(void)user;
-}
+static void *heap_alloc(uint64_t bytes, uint32_t align, void *user) { return (void)bytes, (void)align, (void)user, NULL; }
+static void heap_free(void *memory, uint64_t bytes, void *user) { (void)memory, (void)bytes, (void)user; }
 
 #endif
 
@@ -113,7 +101,6 @@ static void *block_alloc(cni_memory *memory, uint64_t bytes)
 	return hole;
 }
 
-/* Merges a hole with the next one if they touch. */
 static void hole_merge_next(cni_hole *hole)
 {
 	cni_hole *next = hole->next;

@@ -2,8 +2,7 @@
  * base/memory.h - the source of all memory of a world: the user's hooks (malloc by default) or one fixed block. Everything
  * else in base/ allocates here. A failed allocation returns NULL and has no other effect.
  *
- * A fixed block is managed by an address-ordered first-fit free list with coalescing, so that freed memory can be reused.
- * It never reads or writes outside the block.
+ * Nothing is read or written outside of a fixed block, and freed memory of it can be used again.
  *
  *   block:  [ free node | free bytes ... ][ allocation ... ][ free node | ... ]
  *           the free list links the holes in address order; allocations have no header because every free

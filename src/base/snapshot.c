@@ -15,7 +15,6 @@ cni_snapshot cni_snapshot_begin(int32_t mode, void *bytes, cni_memory *memory)
 	return s;
 }
 
-/* Advances the cursor. */
 static void pass(cni_snapshot *s, uint64_t bytes)
 {
 	if (s->mode != CNI_SNAPSHOT_MEASURE)

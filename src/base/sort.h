@@ -1,8 +1,6 @@
 /*
- * base/sort.h - stable sorting of 64-bit keys.
- * Insertion sort for short or nearly sorted input (within a budget of shifts), else least-significant-digit radix sort by
- * bytes, which skips bytes that are equal in all keys. No allocation: the caller passes scratch of the same length; without
- * scratch (NULL) the insertion sort runs to its end, without a budget.
+ * base/sort.h - stable sorting of 64-bit keys: by insertion where few items must move, else by radix. No allocation: the caller
+ * passes scratch of the same length; without it (NULL) the insertion sort runs to its end.
  */
 #ifndef CNI_BASE_SORT_H
 #define CNI_BASE_SORT_H

@@ -49,7 +49,6 @@ static int64_t table_pages_for(const cni_table *table, int32_t count)
 	return count > 0 ? ((int64_t)count + page_items - 1) >> table->page_shift : 0;
 }
 
-/* Grows the array of pages. */
 static int32_t table_reserve_pointers(cni_table *table, cni_memory *memory, int32_t page_count)
 {
 	cni_array pages = { table->pages, table->page_count, table->page_capacity, (int32_t)sizeof *table->pages };

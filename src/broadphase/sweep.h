@@ -200,6 +200,9 @@ static inline int32_t cni_sweep_walk_next(cni_sweep_walk *walk)
 	return walk->word * 64 + bit;
 }
 
+/* Do a sixth or more of the tile's entries change, and not only one or two? Then a running pass handles it as a whole. */
+static inline int32_t cni_sweep_many_touched(const cni_sweep_tile *tile) { return tile->touched >= 3 && 6 * tile->touched >= tile->count; }
+
 /* The old box in the form of the overlap tests: cni_no_box for an empty box. */
 static inline cni_aabb cni_sweep_old(const cni_proxy *proxy)
 {

@@ -6,8 +6,8 @@
  * `touched`, `dense` and `previous` of tiles. No set of pairs is stored: the boxes of the last update tell whether a pair
  * existed.
  *
- * A tile is dense when a sixth or more of its entries moved: its old boxes are gathered into scratch
- * rows beside the present ones. Other tiles need none: an unmoved entry's old box equals its present one.
+ * A tile is dense when many of its entries moved: its old boxes are gathered into scratch rows beside the present ones.
+ * Other tiles need none: an unmoved entry's old box equals its present one.
  * Each pair is found exactly once:
  *
  *   both in dense tiles      by a sweep of the tile with itself, or of the two tiles; the tile of the finer level sweeps,
@@ -26,8 +26,6 @@
 
 #include <string.h>
 
-#define DENSE_SHARE 6      /* one in so many entries moved: sweep the whole tile */
-#define DENSE_CHANGES 3    /* but not for fewer */
 #define RANGE_LEAST 128    /* entries, some ten microseconds */
 #define SHARED_LEAST 1024  /* entries for which it pays to wake others */
 #define SINGLE_ENTRIES 8   /* what one that searches for itself counts for */
@@ -66,7 +64,7 @@ static void choose_dense(cni_sweep_pass *pass)
 	for (i = 0; i < pass->touched_count; ++i) {
 		int32_t index = pass->touched[i];
 		cni_sweep_tile *tile = cni_sweep_tile_at(pass->sweep, index);
-		if (tile->touched < DENSE_CHANGES || DENSE_SHARE * tile->touched < tile->count)
+		if (!cni_sweep_many_touched(tile))
 			continue;
 		tile->dense = 1;
 		tile->previous = CNI_NONE;

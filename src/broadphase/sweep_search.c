@@ -29,7 +29,6 @@ static inline int32_t search_is_void(const cni_sweep_pass *pass)
 	return pass->slots != NULL ? pass->slot_count > pass->slot_room : pass->out->mode == CNI_PAIRS_MODE_STOPPED;
 }
 
-/* Reports a pair of boxes that is new. */
 static void pair_found(cni_sweep_pass *pass, int32_t a, int32_t b)
 {
 	cni_proxy *pa = cni_sweep_proxy(pass->sweep, a), *pb = cni_sweep_proxy(pass->sweep, b);

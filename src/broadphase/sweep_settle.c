@@ -4,7 +4,7 @@
  * Reads the fat boxes of loose proxies; writes tiles and proxies' cells. Invariant afterwards: every
  * proxy that is not loose has its present box as an entry of the tile that its cell names.
  *
- * A tile is updated in one of two ways. Where a sixth or more of the entries change, migrants are appended to the new tile
+ * A tile is updated in one of two ways. Where many entries change, migrants are appended to the new tile
  * and the tile is rebuilt once: entries whose proxy has left are dropped, the keys (x0, id), mostly nearly sorted, are
  * sorted, and the rows are gathered from the proxies. Elsewhere each entry is shifted, inserted or removed in place.
  * Without scratch memory all tiles are updated in place, one proxy after the other.
@@ -22,8 +22,6 @@
 
 #include <string.h>
 
-#define DENSE_SHARE 6          /* one in so many entries changed: rebuild */
-#define DENSE_CHANGES 3        /* but not for fewer changes */
 #define BOOST_MOST 3
 #define BOOST_LEAST (-1)
 #define FILL_LOW 12            /* entries a tile of level 0, on average */
@@ -336,7 +334,7 @@ static void choose_dense(settle_pass *pass)
 	take_keys(pass, largest);
 	for (i = 0; i < pass->touched_count; ++i) {
 		cni_sweep_tile *tile = cni_sweep_tile_at(pass->sweep, pass->touched[i]);
-		tile->dense = pass->keys != NULL && tile->touched >= DENSE_CHANGES && DENSE_SHARE * tile->touched >= tile->count;
+		tile->dense = pass->keys != NULL && cni_sweep_many_touched(tile);
 	}
 }
 

@@ -112,24 +112,18 @@ static void slot_take(cni_sweep *sweep, int32_t tile)
 int32_t cni_sweep_slots_reserve(cni_sweep *sweep, int32_t count)
 {
 	int32_t capacity = cni_max_i(sweep->slot_capacity, 8);
-	int32_t *old = sweep->slots;
 	int32_t *slots;
-	int32_t old_capacity = sweep->slot_capacity;
-	int32_t i;
 	while (capacity / 2 < count)
 		capacity *= 2;
-	if (capacity == old_capacity)
+	if (capacity == sweep->slot_capacity)
 		return 1;
 	slots = (int32_t *)cni_memory_alloc(sweep->context.memory, (uint64_t)capacity * sizeof(int32_t));
 	if (slots == NULL)
-		return count <= old_capacity / 8 * 7;
-	memset(slots, 0, (size_t)capacity * sizeof(int32_t));
+		return count <= sweep->slot_capacity / 8 * 7;
+	cni_memory_free(sweep->context.memory, sweep->slots, (uint64_t)sweep->slot_capacity * sizeof(int32_t));
 	sweep->slots = slots;
 	sweep->slot_capacity = capacity;
-	for (i = 0; i < old_capacity; ++i)
-		if (old[i] != 0)
-			slot_put(sweep, old[i] - 1);
-	cni_memory_free(sweep->context.memory, old, (uint64_t)old_capacity * sizeof(int32_t));
+	cni_sweep_slots_fill(sweep);
 	return 1;
 }
 
@@ -428,35 +422,31 @@ void cni_sweep_cursor_start(const cni_sweep *sweep, cni_sweep_cursor *cursor, co
 	cursor_level(sweep, cursor);
 }
 
-/* The next candidate of the level, CNI_NONE for an empty cell; *done when the level has no more. */
-static int32_t cursor_step(const cni_sweep *sweep, cni_sweep_cursor *cursor, int32_t *done)
+/* The next candidate of the level, CNI_NONE for an empty cell. Where the level has no more, goes on to the next one. */
+static int32_t cursor_step(const cni_sweep *sweep, cni_sweep_cursor *cursor)
 {
-	int32_t tile;
-	*done = 0;
-	if (cursor->slot >= 0) {
-		tile = cursor->slot++;
-		*done = tile >= sweep->tiles.count;
-		return *done || cni_sweep_tile_at(sweep, tile)->level != cursor->level ? CNI_NONE : tile;
+	int32_t tile = cursor->slot;
+	if (tile >= 0 && tile < sweep->tiles.count) {
+		++cursor->slot;
+		return cni_sweep_tile_at(sweep, tile)->level == cursor->level ? tile : CNI_NONE;
 	}
-	*done = cursor->ty > cursor->cells.ty1;
-	if (*done)
-		return CNI_NONE;
-	tile = cni_sweep_tile_find(sweep, cursor->level, cursor->tx, cursor->ty);
-	if (++cursor->tx > cursor->cells.tx1) {
-		cursor->tx = cursor->cells.tx0;
-		++cursor->ty;
+	if (tile < 0 && cursor->ty <= cursor->cells.ty1) {
+		tile = cni_sweep_tile_find(sweep, cursor->level, cursor->tx, cursor->ty);
+		if (++cursor->tx > cursor->cells.tx1) {
+			cursor->tx = cursor->cells.tx0;
+			++cursor->ty;
+		}
+		return tile;
 	}
-	return tile;
+	cursor_level(sweep, cursor);
+	return CNI_NONE;
 }
 
 int32_t cni_sweep_cursor_next(const cni_sweep *sweep, cni_sweep_cursor *cursor)
 {
 	while (cursor->level < CNI_SWEEP_LEVELS) {
-		int32_t done;
-		int32_t tile = cursor_step(sweep, cursor, &done);
-		if (done)
-			cursor_level(sweep, cursor);
-		else if (tile != CNI_NONE && cni_aabb_overlap(&cni_sweep_tile_at(sweep, tile)->bounds, &cursor->box))
+		int32_t tile = cursor_step(sweep, cursor);
+		if (tile != CNI_NONE && cni_aabb_overlap(&cni_sweep_tile_at(sweep, tile)->bounds, &cursor->box))
 			return tile;
 	}
 	return CNI_NONE;

@@ -89,7 +89,6 @@ void cni_tree_node_clear(cni_tree *tree, int32_t node)
 	place_clear(cni_tree_node_at(tree, node), 1);
 }
 
-/* Returns a node to the free list. */
 static void node_give(cni_tree *tree, int32_t node)
 {
 	cni_tree_node_clear(tree, node);

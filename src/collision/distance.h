@@ -1,6 +1,5 @@
 /*
- * collision/distance.h - closest points between two convex point sets (GJK: Gilbert, Johnson, Keerthi
- * 1988, in the barycentric form of Catto, GDC 2010) and between two segments in closed form.
+ * collision/distance.h - closest points between two convex point sets (GJK) and between two segments in closed form.
  */
 #ifndef CNI_COLLISION_DISTANCE_H
 #define CNI_COLLISION_DISTANCE_H

@@ -15,9 +15,8 @@
  *  - exact distance (GJK-like closest features) whenever the skeletons (shapes without radius) are apart
  *    and radius or margin matter: vertex-vertex contact has one point with the true direction;
  *  - rounded shapes: skeleton distance minus radii; deep overlap falls back to the separating-axis result;
- *  - chain edges are one-sided: a shape whose centroid is behind the edge does not collide, and a normal
- *    outside the edge's own Voronoi range as given by its neighbours (ghost points) is refused or replaced
- *    by the edge normal, so that shapes never catch on inner vertices (Catto, "Ghost Collisions", 2020);
+ *  - chain edges are one-sided, and their neighbours decide which normals may act, so that shapes never catch
+ *    on inner vertices: manifold_chain.c;
  *  - two edges collide as two capsules of radius 0; chains do not collide with chains or edges.
  */
 #ifndef CNI_COLLISION_MANIFOLD_H

@@ -17,7 +17,6 @@
 
 /* Sine of the turn up to which a corner counts as flat: about half a degree. */
 #define FLAT_SINE_MAX 0.01f
-#define OPEN_BACK_MAX 0.02f
 /* By how much (cosine) both edges of a convex corner claim a circle in the middle between them. */
 #define SHARED_COSINE 1.0e-4f
 
@@ -56,7 +55,6 @@ static void chain_surface(cni_chain_edge *e, const cni_manifold_input *in)
 	e->points[1] = cni_transform_point(in->b_in_a, end);
 }
 
-/* The corner at one of the edge's ends. */
 static void chain_corner(cni_chain_edge *e, const cni_manifold_input *in, int32_t end)
 {
 	const cni_geometry *g = in->b;
@@ -184,7 +182,7 @@ static void shape_axis(const cni_chain_edge *e, cni_vec2 normal, cni_vec2 origin
 		low = cni_min(ghost, low);
 	}
 	/* An open end does not push towards the back. At a convex end the ghosts limit the axis to the corner's normals. */
-	if (e->corner[end] == CNI_CORNER_OPEN && -cni_dot(normal, e->normal) < -OPEN_BACK_MAX)
+	if (e->corner[end] == CNI_CORNER_OPEN && -cni_dot(normal, e->normal) < -CNI_OPEN_BACK_MAX)
 		kind = AXIS_NEIGHBOUR;
 	float bar = best->kind == AXIS_SURFACE ? best->separation + touch : best->separation;
 	if (low <= bar)

@@ -278,9 +278,6 @@ static void point_emit(const cni_faces *a, const cni_faces *b, const cni_closest
 
 enum { GATE_OPEN, GATE_FACE, GATE_REFUSE };
 
-/* Largest cosine towards the back at which an open end still pushes. */
-#define OPEN_BACK_MAX 0.02f
-
 /* Decides whether the closest features of a chain edge (shape b) may push along their own direction (GATE_OPEN), only along
    the axis (GATE_FACE), or not at all. of_surface: the axis is the chain edge's own normal, which may always push shapes in
    front of the edge. */
@@ -297,7 +294,7 @@ static int32_t chain_gate(const cni_chain_edge *chain, const cni_closest *c, int
 		/* Beyond the neighbour's normal the contact belongs to the neighbour's far end, not to this corner. */
 		return cni_dot(outward, cni_sub(chain->ghost[end], chain->points[end])) <= touch ? GATE_OPEN : GATE_REFUSE;
 	default:
-		return cni_dot(outward, chain->normal) >= -OPEN_BACK_MAX ? GATE_OPEN : GATE_REFUSE;
+		return cni_dot(outward, chain->normal) >= -CNI_OPEN_BACK_MAX ? GATE_OPEN : GATE_REFUSE;
 	}
 }
 

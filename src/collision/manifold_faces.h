@@ -38,6 +38,8 @@ enum {
 	CNI_CORNER_FLAT = 1,  /* straight or concave: the edge's own normal only */
 	CNI_CORNER_CONVEX = 2 /* convex: normals between those of the two edges */
 };
+/* Largest cosine towards the back at which an open end still pushes. */
+#define CNI_OPEN_BACK_MAX 0.02f
 typedef struct cni_chain_edge {
 	cni_vec2 points[2];
 	cni_vec2 normal;

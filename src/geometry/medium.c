@@ -158,7 +158,6 @@ static void plates_drag(cni_medium_force *sum, const cni_medium *m, const cni_me
 	}
 }
 
-/* The whole outline. */
 static void whole_drag(cni_medium_force *sum, const cni_medium *m, const cni_in_medium *s)
 {
 	const cni_geometry *g = s->geometry;
@@ -258,7 +257,6 @@ static void surface_stiffness(cni_medium_force *sum, const cni_medium *m, cni_ve
 	sum->roll += rise * (xa * xa + xa * xb + xb * xb) / 3.0f;
 }
 
-/* Buoyancy and damping of a displaced area. */
 static void displacement_add(cni_medium_force *sum, const cni_medium *m, const cni_in_medium *s, float area, cni_vec2 center)
 {
 	float force = m->buoyancy * area;
@@ -314,7 +312,6 @@ static void whole_displacement(cni_medium_force *sum, const cni_medium *m, const
 	displacement_add(sum, m, s, whole.mass_kg, point_of(s, whole.center_m));
 }
 
-/* Is the shape wholly within the region? */
 static int32_t is_within(const cni_medium_region *region, const cni_in_medium *s)
 {
 	const cni_vec2 *p = cni_geometry_points(s->geometry);

@@ -101,7 +101,7 @@ static float lock(const cni_body *b, uint32_t flag)
 static void lane_write_locks(cn_world *world, const cni_contact *c, const lane_frame *f)
 {
 	int32_t lane = c->slot % CNI_LANES;
-		cni_block_info *info = cni_block_info_at(world, c->slot / CNI_LANES);
+	cni_block_info *info = cni_block_info_at(world, c->slot / CNI_LANES);
 	cni_block_extra *extra;
 	if (!f->locks && !(info->flags & CNI_BLOCK_EXTRA))
 		return;

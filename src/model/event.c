@@ -6,7 +6,6 @@
 
 #include <string.h>
 
-/* Bytes of an event in the log of its kind. */
 static uint64_t event_bytes(int32_t kind)
 {
 	return kind == CN_EVENT_HIT ? sizeof(cn_contact_event) : kind == CN_EVENT_STAY ? sizeof(cni_event_stay) : sizeof(cni_event);

@@ -95,7 +95,6 @@ static void tier_inherit(const cn_world *world, cni_island *to, const cni_island
 		to->cone_step = to->cone_step == 0 ? from->cone_step : more_recent(world, to->cone_step, from->cone_step);
 }
 
-/* Moves all bodies of one island to the end of another. */
 static void island_merge(cn_world *world, int32_t into, int32_t from)
 {
 	cni_island *target = cni_island_at(world, into), *source = cni_island_at(world, from);

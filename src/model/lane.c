@@ -200,7 +200,6 @@ void cni_lane_set_fresh(cn_world *world, int32_t slot)
 	info->fresh = (uint16_t)(info->fresh | 1u << slot % CNI_LANES);
 }
 
-/* Moves the fresh bit. */
 static void fresh_move(cn_world *world, int32_t from, int32_t to)
 {
 	cni_block_info *source = cni_block_info_at(world, from / CNI_LANES);
@@ -213,29 +212,26 @@ static void fresh_move(cn_world *world, int32_t from, int32_t to)
 		cni_lane_set_fresh(world, to);
 }
 
-/* Clears a lane's bit and returns it. */
-static uint32_t bit_take(cni_lane_bits *bits, int32_t slot)
+/* Moves a bit, and clears the source. */
+static void bit_move(cni_lane_bits *source, cni_lane_bits *target, int32_t from, int32_t to)
 {
-	uint32_t bit = (uint32_t)*bits >> slot % CNI_LANES & 1u;
-	*bits = (cni_lane_bits)cni_bits_with(*bits, (uint32_t)slot % CNI_LANES, 0);
-	return bit;
+	uint32_t bit = (uint32_t)*source >> from % CNI_LANES & 1u & (from != to);
+	*source = (cni_lane_bits)cni_bits_with(*source, (uint32_t)from % CNI_LANES, 0);
+	*target = (cni_lane_bits)cni_bits_with(*target, (uint32_t)to % CNI_LANES, bit);
 }
 
-/* Moves the anchor, and clears the source. */
 static void anchor_move(cn_world *world, int32_t from, int32_t to)
 {
 	cni_block_info *source_info = cni_block_info_at(world, from / CNI_LANES), *target_info = cni_block_info_at(world, to / CNI_LANES);
 	float *source = (float *)(void *)cni_block_anchor_at(world, from / CNI_LANES) + from % CNI_LANES;
 	float *target = (float *)(void *)cni_block_anchor_at(world, to / CNI_LANES) + to % CNI_LANES;
-	uint32_t l = (uint32_t)to % CNI_LANES, moves = from != to, anchored = source_info->anchored >> from % CNI_LANES & 1u & moves;
-	uint32_t of_b = bit_take(&source_info->of_b, from) & moves, face = bit_take(&source_info->face, from) & moves;
-	uint32_t points_of_b = bit_take(&source_info->points_of_b, from) & moves;
+	uint32_t anchored = source_info->anchored >> from % CNI_LANES & 1u & (from != to);
 	column_move(source, target, CNI_ANCHOR_ROWS);
 	source_info->anchored = (uint16_t)cni_bits_with(source_info->anchored, (uint32_t)from % CNI_LANES, 0);
-	target_info->anchored = (uint16_t)cni_bits_with(target_info->anchored, l, anchored);
-	target_info->of_b = (cni_lane_bits)cni_bits_with(target_info->of_b, l, of_b);
-	target_info->face = (cni_lane_bits)cni_bits_with(target_info->face, l, face);
-	target_info->points_of_b = (cni_lane_bits)cni_bits_with(target_info->points_of_b, l, points_of_b);
+	target_info->anchored = (uint16_t)cni_bits_with(target_info->anchored, (uint32_t)to % CNI_LANES, anchored);
+	bit_move(&source_info->of_b, &target_info->of_b, from, to);
+	bit_move(&source_info->face, &target_info->face, from, to);
+	bit_move(&source_info->points_of_b, &target_info->points_of_b, from, to);
 }
 
 /* Copies one lane over another and clears the source. */

@@ -53,12 +53,9 @@ static int32_t proxy_create(cn_world *world, int32_t shape, int32_t child)
 	cni_proxy *p = cni_proxy_at(world, id);
 	p->fat = cni_geometry_aabb(cni_shape_geometry(&world->blocks, s), child, cni_body_transform(b));
 	p->fat = cni_box_fatten(p->fat, cni_box_margin(world, b->type, &p->fat));
-	p->old.x0 = p->old.y0 = 1.0f;
-	p->old.x1 = p->old.y1 = -1.0f;
 	p->shape = shape;
 	p->geometry = s->geometry;
-	p->cell = CNI_NONE;
-	p->flags = (uint32_t)child << CNI_PROXY_CHILD_SHIFT | CNI_PROXY_ALIVE | CNI_PROXY_MOVED | (b->type == CN_BODY_STATIC ? (uint32_t)CNI_PROXY_STATIC : 0u);
+	p->flags = (uint32_t)child << CNI_PROXY_CHILD_SHIFT | CNI_PROXY_ALIVE | (b->type == CN_BODY_STATIC ? (uint32_t)CNI_PROXY_STATIC : 0u);
 	world->broadphase_ops->add(world->broadphase, id);
 	if (b->type == CN_BODY_STATIC)
 		cni_seams_change(world, &p->fat);

@@ -211,10 +211,8 @@ struct cn_world {
  *
  * Fallen in 60 s of 100 random stacks (5 to 60 boxes) and of 100 heavy tops (1:2 to 1:50): 71 and 54 without a lag, 12 and 12 with
  * 0.01, 7 and 8 with 0.03, 7 and 4 with 0.1, as with 0.2. What turns faster than CNI_NORMAL_LAG_SPIN does so by itself, and has the true
- * normal: a stack that begins to lean is slower, and as many stand with a tenth of it.
- *
- * CN_SOLVER_AUTO solves directly what leans, but not what moves, bounces or finds no set of contacts. Such towers, pushed at the top, swayed more
- * and more with loads along true normals: of 63 towers of 8 to 14 boxes 10 fall (with restitution 29), none (1) with normals that lag.
+ * normal. CN_SOLVER_AUTO solves directly what leans, but not what moves, bounces or finds no set of contacts: such towers sway more and
+ * more with loads along true normals.
  */
 
 /* Square of the largest difference of two normals; negative: normals do not lag. */

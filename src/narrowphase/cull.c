@@ -318,7 +318,6 @@ static void batch_cull(cni_cull *s)
 	s->left = ~apart_of_batch(s, s->batch, size) & (~0u >> (32 - size));
 }
 
-/* The rest of the batch. */
 static int32_t take_left(cni_cull *s, cni_touch_pair *out, int32_t most)
 {
 	const cn_world *world = s->of.world;

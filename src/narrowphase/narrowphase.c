@@ -285,7 +285,6 @@ static int32_t window_finish(cn_world *world, window *w, int32_t k, float dt)
 	return change;
 }
 
-/* Computes the manifolds and changes of the window's contacts. */
 static void window_collide(cn_world *world, window *w, int32_t count, float dt)
 {
 	int32_t k;
@@ -439,7 +438,6 @@ static void items_collide(cn_world *world, window *w, const int32_t *items, cons
 	w->count = 0;
 }
 
-/* Processes deferred contacts in order. */
 static void deferred_collide(cn_world *world, const change_list *changes, float dt)
 {
 	window w;
