@@ -6,6 +6,7 @@
  * begins with two points far apart.
  * O(count * points kept) at worst.
  */
+#include "base/bitset.h"
 #include "geometry/outline.h"
 
 #include <string.h>
@@ -16,11 +17,9 @@ typedef struct simplifier {
 	const cni_vec2 *points;
 	int32_t count;
 	float tolerance_sq;
-	uint32_t kept[CNI_SIMPLIFY_POINTS_MAX / 32]; /* one bit per point */
+	uint64_t kept[CNI_SIMPLIFY_POINTS_MAX / 64]; /* one bit per point */
 } simplifier;
 
-static void point_keep(simplifier *s, int32_t i) { s->kept[i / 32] |= 1u << (i % 32); }
-static int32_t point_is_kept(const simplifier *s, int32_t i) { return (int32_t)(s->kept[i / 32] >> (i % 32) & 1u); }
 static cni_vec2 point_at(const simplifier *s, int32_t i) { return s->points[i < s->count ? i : i - s->count]; }
 
 static float segment_distance_sq(cni_vec2 a, cni_vec2 b, cni_vec2 p)
@@ -55,7 +54,7 @@ static void stretch_simplify(simplifier *s, int32_t first, int32_t last)
 		int32_t middle = stretch_farthest(s, part);
 		if (middle == CNI_NONE)
 			continue;
-		point_keep(s, middle < s->count ? middle : middle - s->count);
+		cni_bit_set(s->kept, middle < s->count ? middle : middle - s->count);
 		stretch lower = { part.first, middle }, upper = { middle, part.last };
 		int32_t lower_is_longer = middle - part.first > part.last - middle;
 		stack[depth++] = lower_is_longer ? lower : upper;
@@ -67,7 +66,7 @@ static int32_t kept_write(const simplifier *s, cni_vec2 *out, int32_t capacity)
 {
 	int32_t written = 0;
 	for (int32_t i = 0; i < s->count; ++i) {
-		if (!point_is_kept(s, i))
+		if (!cni_bit_get(s->kept, i))
 			continue;
 		if (written < capacity)
 			out[written] = s->points[i];
@@ -84,18 +83,18 @@ int32_t cni_outline_simplify(const cni_vec2 *points, int32_t count, int32_t clos
 	s.tolerance_sq = tolerance * tolerance;
 	memset(s.kept, 0, sizeof s.kept);
 	if (!closed) {
-		point_keep(&s, 0);
-		point_keep(&s, count - 1);
+		cni_bit_set(s.kept, 0);
+		cni_bit_set(s.kept, count - 1);
 		stretch_simplify(&s, 0, count - 1);
 		return kept_write(&s, out, capacity);
 	}
 	int32_t a = cni_point_farthest(points, count, points[0]), b = cni_point_farthest(points, count, points[a]);
 	int32_t first = cni_min_i(a, b), last = cni_max_i(a, b), kept = 0;
-	point_keep(&s, first);
-	point_keep(&s, last);
+	cni_bit_set(s.kept, first);
+	cni_bit_set(s.kept, last);
 	stretch_simplify(&s, first, last);
 	stretch_simplify(&s, last, first + count);
 	for (int32_t i = 0; i < count; ++i)
-		kept += point_is_kept(&s, i);
+		kept += cni_bit_get(s.kept, i);
 	return kept >= 3 ? kept_write(&s, out, capacity) : 0;
 }

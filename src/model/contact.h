@@ -172,7 +172,6 @@ typedef struct cni_listed_block {
 	cni_listed_number kind;  /* CNI_CONTACTS_ of model/solve.h */
 } cni_listed_block;
 
-
 /* A touching contact at rest: the rows of its lane, without ia and ib. */
 #define CNI_SLEEP_ROWS 22
 #define CNI_SLEEP_EXTRA_ROWS 4

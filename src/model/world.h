@@ -180,7 +180,6 @@ struct cn_world {
 	cni_array direct_plans[2];   /* of linear/sparse_plan.c, kept while nothing changes: the first plan of a step, and the plan without
 	                                refused islands */
 
-
 	cn_filter_fn *filter;        /* the user's callbacks, NULL: none */
 	void *filter_user;
 	cn_pre_solve_fn *pre_solve;
