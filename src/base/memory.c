@@ -54,8 +54,20 @@ static void heap_free(void *memory, uint64_t bytes, void *user)
 
 #else
 
-static void *heap_alloc(uint64_t bytes, uint32_t align, void *user) { return (void)bytes, (void)align, (void)user, NULL; }
-static void heap_free(void *memory, uint64_t bytes, void *user) { (void)memory, (void)bytes, (void)user; }
+static void *heap_alloc(uint64_t bytes, uint32_t align, void *user)
+{
+	(void)bytes;
+	(void)align;
+	(void)user;
+	return NULL;
+}
+
+static void heap_free(void *memory, uint64_t bytes, void *user)
+{
+	(void)memory;
+	(void)bytes;
+	(void)user;
+}
 
 #endif
 
