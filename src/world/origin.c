@@ -93,7 +93,7 @@ cn_result cn_world_shift_origin(cn_world *world, float x_m, float y_m)
 }
 
 /* The origin of the body's frame is its centre less the turned local centre. */
-static void position_parts(const cni_body *b, cn_vec2 *high, cn_vec2 *low)
+static void parts_read(const cni_body *b, cn_vec2 *high, cn_vec2 *low)
 {
 	cni_vec2 arm = cni_rotate(b->q, b->local_center);
 	*high = cni_v(b->cx, b->cy);
@@ -102,4 +102,4 @@ static void position_parts(const cni_body *b, cn_vec2 *high, cn_vec2 *low)
 	shift_parts(&high->y, &low->y, arm.y);
 }
 
-CNI_DEFINE_GET2(body, position_parts, cn_vec2, cn_vec2, position_parts(record, out_a, out_b))
+CNI_DEFINE_GET2(body, position_parts, cn_vec2, cn_vec2, parts_read(record, out_a, out_b))
