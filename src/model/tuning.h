@@ -221,7 +221,7 @@ CNI_TUNING_FLOAT(CNI_HEAVY_TURN_PART, 0.3f)
 CNI_TUNING_FLOAT(CNI_HEAVY_SPEED_MOST, 10.0f)
 /* A contact with a lighter body that bounces is solved so, too, where the joints leave less than this of its inverse mass: the impact of free
    bodies would be lost on a board that its joints stop. A wrecking ball on its chain bounces as a free one. */
-CNI_TUNING_FLOAT(CNI_HEAVY_BOUNCE_PART, 0.7f)
+CNI_TUNING_FLOAT(CNI_HEAVY_BOUNCE_PART, 0.97f)
 /* Rounds between the rows of such a contact. */
 CNI_TUNING_COUNT(CNI_HEAVY_CONTACT_ROUNDS, 4)
 /* Blocks of the system of a component, times its contacts that are solved so. A net of 140 joints took 20 times as long as a soft one

@@ -24,7 +24,7 @@ static const arch_scene arch_scenes[ARCH_SCENES] = {
 	{ "tiers", scene_tiers, 0x6d8c16729bfbb91f },
 	{ "sequential", scene_sequential, 0x6bc77927e99d3264 },
 	{ "queries", scene_queries, 0xc2f73fc905b99ec2 },
-	{ "events", scene_events, 0xb91fcec25bb8d701 },
+	{ "events", scene_events, 0x093501eb2ddd5593 },
 	{ "file", scene_file, 0x47d5a5c75ef43ed2 },
 };
 

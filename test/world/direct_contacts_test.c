@@ -404,7 +404,7 @@ static void heavy_boxes_lie_on_light_boards(void)
    boards, which the joints stop. */
 static void boxes_bounce_off_jointed_boards(void)
 {
-	const float factors[] = { 0.5f, 1.0f, 10.0f, 100.0f, 1000.0f };
+	const float factors[] = { 0.1f, 0.5f, 1.0f, 10.0f, 100.0f, 1000.0f };
 	int32_t k, i;
 	for (i = 0; i < (int32_t)(sizeof factors / sizeof factors[0]); ++i) {
 		scene s = scene_open(GRAVITY, 0, CN_SOLVER_AUTO);
