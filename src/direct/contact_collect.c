@@ -23,6 +23,12 @@ int32_t cni_direct_lane_is_locked(const cn_world *world, const cni_contact *c)
 	return x != NULL && x->lock_ax[l] + x->lock_ay[l] + x->lock_bx[l] + x->lock_by[l] != 0.0f;
 }
 
+float cni_direct_lane_tangent_speed(const cn_world *world, const cni_contact *c)
+{
+	const cni_block_extra *x = extra_rows(world, c);
+	return x != NULL ? x->tangent_speed[c->slot % CNI_LANES] : 0.0f;
+}
+
 static int32_t lane_is_plain(const cn_world *world, const cni_contact *c)
 {
 	const cni_block_extra *x = extra_rows(world, c);
@@ -61,7 +67,6 @@ void cni_direct_contact_read(const cn_world *world, const cni_contact *c, cni_di
 	p->fb = k->fb[l];
 	p->static_friction = k->static_friction[l];
 	p->dynamic_friction = k->dynamic_friction[l];
-	p->tangent_speed = extra_rows(world, c) != NULL ? extra_rows(world, c)->tangent_speed[l] : 0.0f;
 	p->untouched = 1;
 	p->mass[2] = k->tm[l];
 	p->j[2] = p->first[2] = k->jt[l];

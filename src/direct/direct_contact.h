@@ -68,7 +68,6 @@ typedef struct cni_direct_contact {
 	int32_t node;               /* in the sparse system, CNI_NONE: not planned */
 	float nx, ny, dn, dt, fa, fb;
 	float static_friction, dynamic_friction;
-	float tangent_speed;        /* of a conveyor; read by direct/heavy_contacts.c alone */
 	float at[2], an[2], s0[2];
 	float mass[3];              /* nm of the points, tm */
 	float j[3];                 /* impulses */
@@ -112,6 +111,8 @@ static inline void cni_direct_contact_push(const cni_direct_contact *p, int32_t 
 }
 /* 1: an axis of one of its bodies is locked. */
 int32_t cni_direct_lane_is_locked(const cn_world *world, const cni_contact *c);
+/* Of a conveyor. */
+float cni_direct_lane_tangent_speed(const cn_world *world, const cni_contact *c);
 /* Reads the lane of a contact. */
 void cni_direct_contact_read(const cn_world *world, const cni_contact *c, cni_direct_contact *p);
 /* Separation of a point now. */

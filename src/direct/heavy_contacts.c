@@ -182,6 +182,7 @@ static cni_heavy_contact heavy_make(const cn_world *world, const cni_solve *s, i
 	memset(&h, 0, sizeof h);
 	h.component = component;
 	h.contact = contact;
+	h.tangent_speed = cni_direct_lane_tangent_speed(world, cni_contact_at(world, contact));
 	h.restitution = *lane_restitution(world, contact);
 	if (h.restitution > 0.0f) {
 		changes d = changes_begin(world, contact);
@@ -359,6 +360,9 @@ void cni_heavy_contacts_find(cn_world *world, const cni_solve *s, cni_sparse *sp
 
 /* ---- a pass ---- */
 
+/* Passes of a substep are numbered by their bias. */
+enum { PASS_BOUNCE = 2 };
+
 /* Target of a normal impulse: a pass as in contacts/contact_kernel.h, without load and hardening, with the mass m. */
 static float normal_target(const cni_solve *s, const cni_direct_contact *p, int32_t row, float m, float speed, float separation, int32_t bias)
 {
@@ -378,22 +382,35 @@ static float friction_target(const cni_direct_contact *p, float m, float speed)
 	return cni_clamp(target, -most, most);
 }
 
-static void rows_solve(const cni_solve *s, const cni_heavy_contact *h, cni_direct_contact *p, const cni_motion *a, const cni_motion *b, int32_t bias)
+/* A point that touches reaches its speed after the impact, or stays where it is. */
+static float bounce_target(const cni_heavy_contact *h, const cni_direct_contact *p, int32_t row, float speed, float separation, float slop)
+{
+	return separation > slop ? p->j[row] : cni_max(p->j[row] + (h->bounce[row] - speed) / h->k[row][row], 0.0f);
+}
+
+static float row_target(const cn_world *world, const cni_solve *s, const cni_heavy_contact *h, const cni_direct_contact *p, int32_t row, float speed, const changes *d, int32_t pass)
+{
+	float m = 1.0f / h->k[row][row], separation;
+	if (row == 2)
+		return pass == PASS_BOUNCE ? p->j[2] : friction_target(p, m, speed - h->tangent_speed);
+	separation = cni_direct_contact_separation(p, row, cni_motions(world) + d->ia, cni_motions(world) + d->ib);
+	if (pass == PASS_BOUNCE)
+		return bounce_target(h, p, row, speed, separation, world->settings.slop);
+	return cni_min(cni_max(h->impulse_most, p->j[row]), normal_target(s, p, row, m, speed, separation, pass));
+}
+
+static void rows_solve(const cn_world *world, const cni_solve *s, const cni_heavy_contact *h, cni_direct_contact *p, const changes *d, int32_t pass)
 {
 	float u[3];
 	int32_t round, row, k;
 	for (k = 0; k < 3; ++k)
-		u[k] = row_speed(p, k, a, b);
+		u[k] = row_speed(p, k, cni_motions(world) + d->ia, cni_motions(world) + d->ib);
 	for (round = 0; round < CNI_HEAVY_CONTACT_ROUNDS; ++round)
 		for (row = 0; row < 3; ++row) {
 			float target;
 			if (p->mass[row] <= 0.0f)
 				continue;
-			if (row < 2)
-				target = cni_min(cni_max(h->impulse_most, p->j[row]),
-				                 normal_target(s, p, row, 1.0f / h->k[row][row], u[row], cni_direct_contact_separation(p, row, a, b), bias));
-			else
-				target = friction_target(p, 1.0f / h->k[2][2], u[2] - p->tangent_speed);
+			target = row_target(world, s, h, p, row, u[row], d, pass);
 			for (k = 0; k < 3; ++k)
 				u[k] += h->k[k][row] * (target - p->j[row]);
 			p->j[row] = target;
@@ -435,7 +452,7 @@ static void contact_solve(cn_world *world, const cni_solve *s, cni_heavy_contact
 	if (c->done)
 		return;
 	cni_direct_contact_read(world, cni_contact_at(world, h->contact), &p);
-	rows_solve(s, h, &p, cni_motions(world) + d.ia, cni_motions(world) + d.ib, bias);
+	rows_solve(world, s, h, &p, &d, bias);
 	if (changes_speed(world, h, &p))
 		impulses_apply(world, s, c, &p, &d);
 	else
@@ -472,30 +489,15 @@ void cni_heavy_contacts_solve(cn_world *world, const cni_solve *s, int32_t bias)
 
 /* ---- bounces ---- */
 
-/* The impulse is no load: it does not stay in the lane. A point that does not bounce, and touches, stays where it is. */
+/* The impulse is no load: it does not stay in the lane. */
 static void contact_bounce(cn_world *world, const cni_solve *s, const cni_heavy_contact *h)
 {
 	changes d = changes_begin(world, h->contact);
 	cni_direct_contact p;
-	float u[2], gap[2];
-	int32_t round, row;
 	cni_direct_contact_read(world, cni_contact_at(world, h->contact), &p);
 	memset(p.j, 0, sizeof p.j);
 	memset(p.first, 0, sizeof p.first);
-	for (row = 0; row < 2; ++row) {
-		u[row] = row_speed(&p, row, cni_motions(world) + d.ia, cni_motions(world) + d.ib);
-		gap[row] = cni_direct_contact_separation(&p, row, cni_motions(world) + d.ia, cni_motions(world) + d.ib);
-	}
-	for (round = 0; round < CNI_HEAVY_CONTACT_ROUNDS; ++round)
-		for (row = 0; row < 2; ++row) {
-			float change;
-			if (p.mass[row] <= 0.0f || gap[row] > world->settings.slop)
-				continue;
-			change = cni_max((h->bounce[row] - u[row]) / h->k[row][row], -p.j[row]);
-			u[0] += h->k[0][row] * change;
-			u[1] += h->k[1][row] * change;
-			p.j[row] += change;
-		}
+	rows_solve(world, s, h, &p, &d, PASS_BOUNCE);
 	if (changes_speed(world, h, &p))
 		impulses_apply(world, s, &s->direct->components[h->component], &p, &d);
 	if (CNI_HAS_EVENTS && world->sums_active)

@@ -105,6 +105,7 @@ typedef struct cni_heavy_contact {
 	float turn_most; /* rad: farthest turn of the component's bodies in this step until k is found again */
 	float k[3][3]; /* inverse effective mass of its rows with the component's joints */
 	float impulse_most; /* N s, of a normal row */
+	float tangent_speed; /* of a conveyor */
 	float bounce[2]; /* m/s: speed of each point after its impact; 0: it does not bounce in this step */
 	float restitution; /* of its lane, which has none during the substeps */
 	uint8_t is_light;  /* 1: listed because it bounces */
