@@ -54,32 +54,8 @@ static void sums_clear(const cn_world *world, cni_block_sums *sums, int32_t bloc
 	sums->hits = lanes_with_hits(world, cni_block_info_at(world, block));
 }
 
-/* Slots of the contacts of the ENTER events, in the order of the log. The list of contacts apart has room for every contact, so behind those
-   apart there is room for those that touch; neither changes while the step sums. */
-static int32_t *enters_of(const cn_world *world) { return (int32_t *)world->apart.data + world->apart.count; }
-
-/* Does its lane's anchor, which is free, hold the impulses of its ENTER event? */
-static int32_t is_summed_in_anchor(const cn_world *world, const cni_contact *c)
-{
-	int32_t block = c->slot / CNI_LANES;
-	return cni_contact_has_lane(c) && (c->flags & CNI_CONTACT_ENTERED) && cni_block_sums_at(world, block) == NULL &&
-	       !(cni_block_info_at(world, block)->anchored >> c->slot % CNI_LANES & 1u);
-}
-
-/* CNI_NONE: the event takes no impulses from the lane. */
-static void enters_find(const cn_world *world)
-{
-	const cni_array *log = &world->events.log[CN_EVENT_ENTER];
-	int32_t k;
-	CNI_ASSERT(log->count <= world->apart.capacity - world->apart.count);
-	for (k = 0; k < log->count; ++k) {
-		const cni_contact *c = cni_contact_at(world, ((const cni_event *)log->data + k)->contact);
-		enters_of(world)[k] = is_summed_in_anchor(world, c) ? c->slot : CNI_NONE;
-	}
-}
-
 /* Where no block has sums, world.sums is NULL. */
-static void sums_make(cn_world *world)
+void cni_impulse_sums_make(cn_world *world)
 {
 	int32_t count = blocks_number(world), color, block;
 	world->sums_active = count > 0 || world->events.log[CN_EVENT_ENTER].count > 0;
@@ -95,12 +71,6 @@ static void sums_make(cn_world *world)
 		for (block = world->colors[color].first; block != CNI_NONE; block = cni_block_info_at(world, block)->next)
 			if (cni_block_info_at(world, block)->sums != CNI_NONE)
 				sums_clear(world, world->sums + cni_block_info_at(world, block)->sums, block);
-}
-
-void cni_impulse_sums_make(cn_world *world)
-{
-	sums_make(world);
-	enters_find(world);
 }
 
 /* ---- a substep ---- */
@@ -227,31 +197,20 @@ static void take_range(void *context, int32_t begin, int32_t end, int32_t worker
 	}
 }
 
-/* Adds the impulses of the substep to the ENTER events of contacts without sums. */
-static void enters_add(cn_world *world)
-{
-	int32_t k;
-	for (k = 0; k < world->events.log[CN_EVENT_ENTER].count; ++k) {
-		int32_t slot = enters_of(world)[k], l = slot % CNI_LANES;
-		if (slot != CNI_NONE) {
-			const cni_contact_block *block = cni_block_at(world, slot / CNI_LANES);
-			cni_block_anchor *anchor = cni_block_anchor_at(world, slot / CNI_LANES);
-			anchor->c[l] += block->p[0].jn[l] + block->p[1].jn[l];
-			anchor->s[l] += block->jt[l];
-		}
-	}
-}
-
-/* Adds the sums of a step to the ENTER events of contacts with sums. */
-static void enters_add_sums(cn_world *world)
+/* Adds to the ENTER events the sums of the step, of contacts with sums; else the impulses of the substep, of those without. */
+static void enters_add(cn_world *world, int32_t of_step)
 {
 	const cni_array *log = &world->events.log[CN_EVENT_ENTER];
 	int32_t k;
-	for (k = 0; k < log->count && world->sums != NULL; ++k) {
+	for (k = 0; k < log->count; ++k) {
 		const cni_contact *c = cni_contact_at(world, ((const cni_event *)log->data + k)->contact);
 		const cni_block_sums *sums = cni_contact_has_lane(c) ? cni_block_sums_at(world, c->slot / CNI_LANES) : NULL;
-		if (sums != NULL)
-			cni_contact_add_enter_impulses(world, c, sums->normal[c->slot % CNI_LANES], sums->friction[c->slot % CNI_LANES]);
+		const cni_contact_block *block = cni_contact_has_lane(c) && sums == NULL ? cni_block_at(world, c->slot / CNI_LANES) : NULL;
+		int32_t l = c->slot % CNI_LANES;
+		if (of_step && sums != NULL)
+			cni_contact_add_enter_impulses(world, c, sums->normal[l], sums->friction[l]);
+		else if (!of_step && block != NULL)
+			cni_contact_add_enter_impulses(world, c, block->p[0].jn[l] + block->p[1].jn[l], block->jt[l]);
 	}
 }
 
@@ -259,7 +218,7 @@ void cni_impulse_sums_close(cn_world *world, const cni_solve *s)
 {
 	if (!world->sums_active)
 		return;
-	enters_add(world);
+	enters_add(world, 0);
 	sums_run(world, s, take_range);
 }
 
@@ -285,7 +244,7 @@ void cni_impulse_sums_report(cn_world *world)
 	int32_t k, l;
 	if (!world->sums_active)
 		return;
-	enters_add_sums(world);
+	enters_add(world, 1);
 	for (k = 0; k < world->sums_count; ++k)
 		for (l = 0; l < CNI_LANES; ++l)
 			lane_report(world, world->sums + k, l);
