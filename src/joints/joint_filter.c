@@ -11,11 +11,5 @@ static int32_t filter_rows(const cni_joint *j, const cni_joint_frame *f, cni_row
 	return 0;
 }
 
-static cni_row filter_speed_row(const cni_joint *j, const cni_joint_frame *f)
-{
-	(void)j;
-	(void)f;
-	return cni_row_angular(CNI_ROW_MOTOR, 0, 0.0f, 1.0f);
-}
-
-const cni_joint_type cni_joint_filter = { filter_rows, cni_joint_position_angle, filter_speed_row, 0 };
+/* Its axis is 0, and so is the speed along it. */
+const cni_joint_type cni_joint_filter = { filter_rows, cni_joint_position_angle, cni_joint_speed_axis, 0 };

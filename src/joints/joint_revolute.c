@@ -11,14 +11,12 @@ static int32_t revolute_rows(const cni_joint *j, const cni_joint_frame *f, cni_r
 {
 	int32_t count = 2;
 	cni_rows_point(f, f->ra, f->d, CNI_ROW_RIGID, rows);
-	if (j->flags & CN_JOINT_SPRING) {
-		cni_row r = cni_row_angular(CNI_ROW_SPRING, CNI_REVOLUTE_SPRING, 1.0f, 1.0f);
-		rows[count++] = cni_row_spring(r, f->angle - j->p[CNI_P_REVOLUTE_TARGET], j->p[CNI_P_REVOLUTE_HERTZ], j->p[CNI_P_REVOLUTE_DAMPING]);
-	}
+	if (j->flags & CN_JOINT_SPRING)
+		rows[count++] = cni_row_spring(cni_row_angular(CNI_ROW_SPRING, 2, 1.0f, 1.0f), f->angle - j->p[CNI_P_TARGET], j->p[CNI_P_HERTZ], j->p[CNI_P_DAMPING]);
 	if (j->flags & CN_JOINT_MOTOR)
-		rows[count++] = cni_row_motor(cni_row_angular(CNI_ROW_MOTOR, CNI_REVOLUTE_MOTOR, 1.0f, 1.0f), j, f->angle, j->flags & CN_JOINT_LIMIT);
+		rows[count++] = cni_row_motor(cni_row_angular(CNI_ROW_MOTOR, 3, 1.0f, 1.0f), j, f->angle, j->flags & CN_JOINT_LIMIT);
 	if (j->flags & CN_JOINT_LIMIT)
-		rows[count++] = cni_row_limit_angle(j, f->angle, CNI_REVOLUTE_LIMIT);
+		rows[count++] = cni_row_limit_angle(j, f->angle, 4);
 	return count;
 }
 

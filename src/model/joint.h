@@ -75,9 +75,6 @@ static inline void cni_joint_keep_finite(cni_joint *j)
      angle           reserved   lower    upper                          angle a  turns a  angle b turns b
      line            tolerance  lower    upper                                            axis x  axis y  */
 enum { CNI_P_REFERENCE = 0, CNI_P_LENGTH = 0, CNI_P_LOWER = 1, CNI_P_UPPER = 2, CNI_P_MOTOR_SPEED = 3, CNI_P_MOTOR_MAX = 4 };
-/* Impulse rows of the revolute joint after the point's two. */
-enum { CNI_REVOLUTE_SPRING = 2, CNI_REVOLUTE_MOTOR = 3, CNI_REVOLUTE_LIMIT = 4 };
-enum { CNI_P_REVOLUTE_TARGET = 5, CNI_P_REVOLUTE_HERTZ = 6, CNI_P_REVOLUTE_DAMPING = 7 };
 enum { CNI_P_DISTANCE_HERTZ = 5, CNI_P_DISTANCE_DAMPING = 6 };
 enum { CNI_P_TARGET = 5, CNI_P_HERTZ = 6, CNI_P_DAMPING = 7, CNI_P_AXIS_X = 8, CNI_P_AXIS_Y = 9 };
 enum { CNI_P_MOTOR_ANGLE = 0, CNI_P_MOTOR_OFFSET_X = 1, CNI_P_MOTOR_OFFSET_Y = 2 };

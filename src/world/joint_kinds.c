@@ -50,9 +50,9 @@ static const cni_joint_field revolute_fields[] = {
 	FIELD(cn_revolute_def, upper_angle_rad, P(CNI_P_UPPER), UPPER, 0.0f),
 	FIELD(cn_revolute_def, motor_speed_radps, P(CNI_P_MOTOR_SPEED), FINITE, 0.0f),
 	FIELD(cn_revolute_def, motor_torque_max_Nm, P(CNI_P_MOTOR_MAX), AT_LEAST_0, 0.0f),
-	FIELD(cn_revolute_def, spring_target_rad, P(CNI_P_REVOLUTE_TARGET), ANGLE, 0.0f),
-	FIELD(cn_revolute_def, spring_hertz, P(CNI_P_REVOLUTE_HERTZ), HERTZ, 0.0f),
-	FIELD(cn_revolute_def, spring_damping_ratio, P(CNI_P_REVOLUTE_DAMPING), DAMPING, 0.0f)
+	FIELD(cn_revolute_def, spring_target_rad, P(CNI_P_TARGET), ANGLE, 0.0f),
+	FIELD(cn_revolute_def, spring_hertz, P(CNI_P_HERTZ), HERTZ, 0.0f),
+	FIELD(cn_revolute_def, spring_damping_ratio, P(CNI_P_DAMPING), DAMPING, 0.0f)
 };
 static const cni_joint_field distance_fields[] = {
 	FIELD(cn_distance_def, length_m, P(CNI_P_LENGTH), ABOVE_0, 1.0f),
