@@ -11,7 +11,6 @@
  */
 #include "joints/joints.h"
 #include "joints/joint_pass.h"
-#include "model/tuning.h"
 
 #define PREFETCH_AHEAD 8 /* joints */
 #define JOINTS_A_RANGE 256
@@ -21,7 +20,7 @@
 typedef struct prepare_loop {
 	cn_world *world;
 	const cni_solve *s;
-	uint32_t filled, missed, special; /* lanes filled again; 1: some were not; 1: some are special, struct cni_lane_setup */
+	uint32_t filled, special; /* lanes filled again; 1: some are special, struct cni_lane_setup */
 } prepare_loop;
 
 static void prepare_range(void *context, int32_t begin, int32_t end, int32_t worker)
@@ -38,21 +37,17 @@ static void prepare_range(void *context, int32_t begin, int32_t end, int32_t wor
 			cni_joint_constraint_prepare(world, loop->s, k);
 	}
 	cni_atomic_add(&loop->filled, (uint32_t)setup.filled);
-	if (!setup.kept)
-		cni_atomic_put(&loop->missed, 1);
 	if (setup.special)
 		cni_atomic_put(&loop->special, 1);
 }
 
 void cni_joints_prepare(cn_world *world, const cni_solve *s)
 {
-	prepare_loop loop = { world, s, 0, 0, 0 };
+	prepare_loop loop = { world, s, 0, 0 };
 	cni_joint_blocks_begin(world);
 	cni_parallel_for(world, world->awake_joints.count, JOINTS_A_RANGE, prepare_range, &loop);
 	world->joint_lanes.filled = (int32_t)loop.filled;
 	world->joint_lanes.special = (int32_t)loop.special;
-	if (loop.missed)
-		world->joint_lanes.lanes = 0;
 }
 
 void cni_joints_warm_start(cn_world *world, const cni_solve *s)
