@@ -19,7 +19,6 @@
  */
 #include "base/wide.h"
 #include "contacts/contact_pass.h"
-#include "model/tuning.h"
 
 #define MOTION_FLOATS ((int32_t)(sizeof(cni_motion) / sizeof(float)))
 

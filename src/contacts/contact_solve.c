@@ -10,7 +10,6 @@
 #include "base/bitset.h"
 #include "base/cpu.h"
 #include "contacts/contact_pass.h"
-#include "model/tuning.h"
 
 #define BLOCKS_A_RANGE 8 /* about a microsecond, more than the workers of a team take to meet */
 

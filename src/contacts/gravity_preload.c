@@ -17,8 +17,6 @@
  */
 #include "contacts/contacts.h"
 #include "base/sort.h"
-#include "model/solve.h"
-#include "model/tuning.h"
 
 #include <string.h>
 

@@ -18,7 +18,6 @@
  * lanes stay unchanged.
  */
 #include "contacts/contact_pass.h"
-#include "model/tuning.h"
 
 /* Float offsets in a body record: see cni_body. The flags, which follow, are not read: another worker may write them. */
 enum { BODY_POSE = 0 /* centre, its low part */, BODY_TURN = 4 /* rotation, local centre */, BODY_TO_EXTENT = 5 /* extent is the fourth */ };

@@ -3,7 +3,6 @@
  * constraints can?
  */
 #include "contacts/contacts.h"
-#include "model/tuning.h"
 
 static int32_t body_is_slower(const cn_world *world, const cni_body *b, cni_vec2 frame, float most)
 {

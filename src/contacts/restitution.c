@@ -30,7 +30,6 @@
 #include "contacts/contacts.h"
 #include "base/bitset.h"
 #include "contacts/contact_pass.h"
-#include "model/tuning.h"
 
 #include <string.h>
 

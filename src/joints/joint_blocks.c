@@ -17,7 +17,6 @@
 #include "base/cpu.h"
 #include "joints/joint_pass.h"
 #include "joints/joint_row.h"
-#include "model/tuning.h"
 
 #include <string.h>
 

@@ -7,6 +7,4 @@
 #define CNI_WIDTH 4
 #define CNI_KERNEL cni_joint_kernel_4
 #include "joints/joint_passes_kernel.h"
-#else
-typedef int cni_no_joint_kernel_4;
 #endif

@@ -13,6 +13,4 @@
 #define CNI_KERNEL cni_joint_kernel_8
 #include "joints/joint_passes_kernel.h"
 #include "base/avx2_end.h"
-#else
-typedef int cni_no_joint_kernel_8;
 #endif

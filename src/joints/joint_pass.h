@@ -24,7 +24,6 @@
 #define CNI_JOINTS_JOINT_PASS_H
 
 #include "joints/joint_constraint.h"
-#include "model/tuning.h"
 
 typedef struct cni_joint_block {
 	int32_t ia[CNI_LANES], ib[CNI_LANES];  /* dense body indices */

@@ -4,7 +4,6 @@
  * Invariant: for every dense index k >= 1, record awake_id[k] has awake == k; every lane of a touching contact has the current
  * dense indices of its bodies, 0 for a body without one.
  */
-#include "model/tuning.h"
 #include "model/world.h"
 
 #include <string.h>

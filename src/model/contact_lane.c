@@ -3,7 +3,6 @@
  * reads lanes back for the public API.
  */
 #include "model/lane.h"
-#include "model/tuning.h"
 #include "model/world.h"
 
 #include <string.h>

@@ -10,7 +10,6 @@
  * Writes impulses of lanes.
  */
 #include "model/world.h"
-#include "model/tuning.h"
 
 /* Speed that the impulses of a lane give the lighter body. */
 static float lane_speed(const cn_world *world, int32_t slot)

@@ -1,7 +1,6 @@
 /*
  * model/shape_record.c - shape records: memory of geometry, proxies, margins of boxes, filters.
  */
-#include "model/tuning.h"
 #include "model/world.h"
 
 #include <string.h>

@@ -2,7 +2,6 @@
  * model/soft_constraint.c - coefficients of soft constraints and springs from their frequency, damping ratio and substep.
  */
 #include "model/solve.h"
-#include "model/tuning.h"
 
 cni_soft cni_soft_implicit(float hertz, float damping_ratio, float h)
 {

@@ -7,9 +7,7 @@
 
 #include "base/ablation.h"
 #include "base/arena.h"
-#include "base/blocks.h"
 #include "base/handles.h"
-#include "base/threads.h"
 #include "model/area.h"
 #include "model/body.h"
 #include "model/contact.h"
@@ -19,7 +17,6 @@
 #include "broadphase/proxy.h"
 #include "model/shape.h"
 #include "broadphase/broadphase.h"
-#include "model/tuning.h"
 
 #define CNI_ERROR_TEXT_BYTES (CNI_HAS_MESSAGES ? 192 : 8)
 #define CNI_ESTIMATED_MOST 32

@@ -17,9 +17,7 @@
  * CNI_EXTERNAL_FINISHED, the block list, and the done flags of directly solved systems.
  */
 #include "step/stages.h"
-#include "model/solve.h"
 #include "linear/sparse.h"
-#include "model/tuning.h"
 
 #include <string.h>
 

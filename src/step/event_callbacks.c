@@ -3,7 +3,6 @@
  * meanwhile. Reads logs and contacts. Without callbacks it does nothing.
  */
 #include "step/stages.h"
-#include "model/solve.h"
 
 void cni_stage_events(cn_world *world)
 {

@@ -7,6 +7,4 @@
 #define CNI_WIDTH 4
 #define CNI_KERNEL cni_body_kernel_4
 #include "step/integrate_kernel.h"
-#else
-typedef int cni_no_body_kernel_4;
 #endif

@@ -13,6 +13,4 @@
 #define CNI_KERNEL cni_body_kernel_8
 #include "step/integrate_kernel.h"
 #include "base/avx2_end.h"
-#else
-typedef int cni_no_body_kernel_8;
 #endif

@@ -6,7 +6,6 @@
 #define CNI_STEP_INTEGRATE_PASS_H
 
 #include "model/solve.h"
-#include "model/tuning.h"
 
 /* A loop over the awake bodies; each iteration reads and writes one body. */
 typedef struct cni_body_pass {

@@ -22,7 +22,6 @@
 #include "contacts/contacts.h"
 #include "contacts/contact_pass.h"
 #include "contacts/deep_lanes.h"
-#include "model/tuning.h"
 #include "step/step.h"
 
 #include <string.h>

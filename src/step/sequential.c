@@ -21,7 +21,6 @@
 #include "step/stages.h"
 #include "narrowphase/narrowphase.h"
 #include "joints/joints.h"
-#include "model/tuning.h"
 #include "step/sequential.h"
 
 /* ---- 1, 2: motion ---- */

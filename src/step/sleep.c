@@ -11,7 +11,6 @@
 #include "step/stages.h"
 #include "joints/joint_type.h"
 #include "direct/direct.h"
-#include "model/solve.h"
 
 static void keep_touching_awake(cn_world *world, int32_t body)
 {

@@ -5,7 +5,6 @@
 #include "contacts/contact_pass.h"
 #include "step/integrate_pass.h"
 #include "joints/joint_pass.h"
-#include "model/tuning.h"
 
 /* CNI_LOAD_HEAVY / (h stress^2) of a step, times the square of the speed that the impulse gives. Weightless bodies are compared with
    bodies under standard gravity: without a limit, the loads of contacts that press a wedged body from both sides rise for as long as it moves,
