@@ -197,20 +197,33 @@ static void take_range(void *context, int32_t begin, int32_t end, int32_t worker
 	}
 }
 
-/* Adds to the ENTER events the sums of the step, of contacts with sums; else the impulses of the substep, of those without. */
-static void enters_add(cn_world *world, int32_t of_step)
+/* Adds the impulses of the substep to the ENTER events of contacts without sums. A lane has no anchor in the step of its event. */
+static void enters_add(const cn_world *world)
 {
 	const cni_array *log = &world->events.log[CN_EVENT_ENTER];
 	int32_t k;
 	for (k = 0; k < log->count; ++k) {
+		const cni_contact *c = cni_contact_at(world, ((const cni_event *)log->data)[k].contact);
+		int32_t block = c->slot / CNI_LANES, l = c->slot % CNI_LANES;
+		if (cni_contact_has_lane(c) && cni_block_sums_at(world, block) == NULL) {
+			const cni_contact_block *rows = cni_block_at(world, block);
+			CNI_ASSERT(!(cni_block_info_at(world, block)->anchored >> l & 1u));
+			cni_block_anchor_at(world, block)->c[l] += rows->p[0].jn[l] + rows->p[1].jn[l];
+			cni_block_anchor_at(world, block)->s[l] += rows->jt[l];
+		}
+	}
+}
+
+/* Adds the sums of a step to the ENTER events of contacts with sums. */
+static void enters_add_sums(cn_world *world)
+{
+	const cni_array *log = &world->events.log[CN_EVENT_ENTER];
+	int32_t k;
+	for (k = 0; k < log->count && world->sums != NULL; ++k) {
 		const cni_contact *c = cni_contact_at(world, ((const cni_event *)log->data + k)->contact);
 		const cni_block_sums *sums = cni_contact_has_lane(c) ? cni_block_sums_at(world, c->slot / CNI_LANES) : NULL;
-		const cni_contact_block *block = cni_contact_has_lane(c) && sums == NULL ? cni_block_at(world, c->slot / CNI_LANES) : NULL;
-		int32_t l = c->slot % CNI_LANES;
-		if (of_step && sums != NULL)
-			cni_contact_add_enter_impulses(world, c, sums->normal[l], sums->friction[l]);
-		else if (!of_step && block != NULL)
-			cni_contact_add_enter_impulses(world, c, block->p[0].jn[l] + block->p[1].jn[l], block->jt[l]);
+		if (sums != NULL)
+			cni_contact_add_enter_impulses(world, c, sums->normal[c->slot % CNI_LANES], sums->friction[c->slot % CNI_LANES]);
 	}
 }
 
@@ -218,7 +231,7 @@ void cni_impulse_sums_close(cn_world *world, const cni_solve *s)
 {
 	if (!world->sums_active)
 		return;
-	enters_add(world, 0);
+	enters_add(world);
 	sums_run(world, s, take_range);
 }
 
@@ -244,7 +257,7 @@ void cni_impulse_sums_report(cn_world *world)
 	int32_t k, l;
 	if (!world->sums_active)
 		return;
-	enters_add(world, 1);
+	enters_add_sums(world);
 	for (k = 0; k < world->sums_count; ++k)
 		for (l = 0; l < CNI_LANES; ++l)
 			lane_report(world, world->sums + k, l);
