@@ -27,8 +27,8 @@
 
 typedef struct rest {
 	cn_world *world;
-	cni_team *team;     /* NULL: one worker, which stops at the first moving body of an island */
-	uint8_t *moving;    /* by island */
+	cni_team *team;
+	uint32_t *moving;   /* by island */
 	int32_t *slow;      /* dense indices */
 	int32_t slow_count;
 	float h;
@@ -110,7 +110,7 @@ static int32_t carried_mark(const rest *r, int32_t index)
 
 static int32_t is_moving(const rest *r, int32_t island)
 {
-	return island != CNI_NONE && r->moving[island];
+	return island != CNI_NONE && cni_atomic_peek(&r->moving[island]);
 }
 
 /* Finds islands that certainly move, and slow bodies of the others, from dense arrays alone. */
@@ -140,50 +140,39 @@ static void record_prefetch(const rest *r, int32_t k)
 	CNI_PREFETCH(&b->w);
 }
 
-/* Negates the index of slow bodies that do not rest. Shared by workers, so it checks all of them before islands are marked. */
+/* Marks islands at their first slow body that does not rest; such bodies without an island are dropped from the list: their index becomes 0. */
 static void rests_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
 	const rest *r = (const rest *)context;
 	int32_t n;
 	(void)worker;
 	for (n = begin; n < end; ++n) {
+		int32_t island = cni_awake_island_number(r->world, r->slow[n]);
 		if (n + RECORDS_AHEAD < end)
 			record_prefetch(r, r->slow[n + RECORDS_AHEAD]);
-		if (!is_moving(r, cni_awake_island_number(r->world, r->slow[n])) && !body_rests(r, r->slow[n]))
-			r->slow[n] = -r->slow[n];
+		if (is_moving(r, island) || body_rests(r, r->slow[n]))
+			continue;
+		if (island != CNI_NONE)
+			cni_atomic_put(&r->moving[island], 1);
+		else
+			r->slow[n] = 0;
 	}
-}
-
-/* A single worker stops at an island's first body that does not rest. */
-static int32_t slow_rests(const rest *r, int32_t n)
-{
-	if (r->team != NULL)
-		return r->slow[n] > 0;
-	if (n + RECORDS_AHEAD < r->slow_count)
-		record_prefetch(r, r->slow[n + RECORDS_AHEAD]);
-	return body_rests(r, r->slow[n]);
 }
 
 /* Checks the slow bodies of islands that may rest, and returns how many rest. Bodies without an island are finished here. */
 static int32_t moving_find(rest *r)
 {
-	cni_external *externals = cni_externals(r->world);
 	int32_t n, count = 0;
-	if (r->team != NULL)
-		cni_team_for(r->team, r->slow_count, BODIES_A_RANGE, rests_range, r);
+	cni_team_for(r->team, r->slow_count, BODIES_A_RANGE, rests_range, r);
 	for (n = 0; n < r->slow_count; ++n) {
-		int32_t k = r->slow[n] < 0 ? -r->slow[n] : r->slow[n], island = cni_awake_island_number(r->world, k);
-		if (is_moving(r, island))
+		int32_t k = r->slow[n], island = cni_awake_island_number(r->world, k);
+		if (k == 0 || is_moving(r, island))
 			continue;
-		if (slow_rests(r, n)) {
-			++count;
-			if (island != CNI_NONE)
-				continue;
-			externals[k].flags |= CNI_EXTERNAL_FINISHED;
-			++r->done;
-		} else if (island != CNI_NONE) {
-			r->moving[island] = 1;
-		}
+		++count;
+		if (island != CNI_NONE)
+			continue;
+		cni_externals(r->world)[k].flags |= CNI_EXTERNAL_FINISHED;
+		++r->done;
 	}
 	return count;
 }
@@ -289,7 +278,7 @@ static void rest_run(rest *r, const cni_solve *s)
 	r->speed_sq = cni_sq(speed);
 	r->move_sq = cni_sq(s->h * speed);
 	r->residual_sq = cni_sq(r->residual);
-	memset(r->moving, 0, (size_t)r->world->step_island_count);
+	memset(r->moving, 0, sizeof(uint32_t) * (size_t)r->world->step_island_count);
 	slow_find(r);
 	if (moving_find(r) > 0)
 		islands_done(r);
@@ -305,7 +294,7 @@ void cni_rest_find(cn_world *world, const cni_solve *s)
 	rest r = { world, s->team, NULL, NULL, 0, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0, 0, 0 };
 	if (s->substeps < 2)
 		return;
-	r.moving = (uint8_t *)cni_arena_push(&world->arena, (uint64_t)cni_max_i(world->step_island_count, 1));
+	r.moving = (uint32_t *)cni_arena_push(&world->arena, sizeof(uint32_t) * (uint64_t)cni_max_i(world->step_island_count, 1));
 	if (r.moving != NULL)
 		r.slow = (int32_t *)cni_arena_push(&world->arena, sizeof(int32_t) * (uint64_t)world->awake_count);
 	if (r.slow != NULL)
