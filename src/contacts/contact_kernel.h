@@ -574,28 +574,20 @@ CNI_INLINE uint32_t group_closing(const float *starts, const cni_contact_block *
 	return cni_mask_bits(closes & bounces) << l;
 }
 
-/* Prefetches the rows of a block that kernel_closing reads. */
-CNI_INLINE void closing_prefetch(const cni_listed_block *b)
-{
-	const cni_contact_block *k = b->rows;
-	CNI_PREFETCH(&b->info->flags);
-	CNI_PREFETCH(b->info->restitution);
-	CNI_PREFETCH(k->ia);
-	CNI_PREFETCH(k->ib);
-	CNI_PREFETCH(k->nx);
-	CNI_PREFETCH(k->ny);
-	CNI_PREFETCH(k->dt);
-	CNI_PREFETCH(k->p[0].at);
-	CNI_PREFETCH(k->p[0].nm);
-	CNI_PREFETCH(k->p[0].jn);
-	CNI_PREFETCH(k->p[1].at);
-	CNI_PREFETCH(k->p[1].nm);
-	CNI_PREFETCH(k->p[1].jn);
-}
-
 #if CNI_HAS_RESTITUTION
 
 #define CLOSING_AHEAD 2 /* blocks whose memory is asked for */
+
+/* Prefetches the rows of a block that kernel_closing reads. */
+CNI_INLINE void closing_prefetch(const cni_listed_block *b)
+{
+	CNI_PREFETCH(&b->info->flags);
+	CNI_PREFETCH(b->info->restitution);
+	cni_lines_prefetch(b->rows->ia, (int32_t)offsetof(cni_contact_block, static_friction));
+	CNI_PREFETCH(b->rows->dt);
+	cni_lines_prefetch(b->rows->p[0].at, (int32_t)offsetof(cni_contact_row, load));
+	cni_lines_prefetch(b->rows->p[1].at, (int32_t)offsetof(cni_contact_row, load));
+}
 
 static void kernel_closing(const cni_velocity_start *starts, const cni_listed_block *blocks, int32_t count, float speed, float since, uint32_t *closing)
 {
