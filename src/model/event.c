@@ -1,48 +1,9 @@
 /*
  * model/event.c - the logs behind contact, sensor and joint events (design in event.h).
  */
-#include "model/event.h"
 #include "model/world.h"
 
 #include <string.h>
-
-static uint64_t event_bytes(int32_t kind)
-{
-	return kind == CN_EVENT_HIT ? sizeof(cn_contact_event) : kind == CN_EVENT_STAY ? sizeof(cni_event_stay) : sizeof(cni_event);
-}
-
-void cni_events_init(cni_events *events)
-{
-	int32_t kind;
-	memset(events, 0, sizeof *events);
-	for (kind = 0; kind < CN_EVENT_KINDS; ++kind) {
-		cni_array_init(&events->log[kind], (int32_t)event_bytes(kind));
-		cni_array_init(&events->pending[kind], (int32_t)sizeof(cni_event));
-		cni_array_init(&events->seen[kind], (int32_t)sizeof(cn_contact_event));
-	}
-	cni_array_init(&events->sensor_log, (int32_t)sizeof(cn_sensor_event));
-	cni_array_init(&events->sensor_pending, (int32_t)sizeof(cn_sensor_event));
-	cni_array_init(&events->joint_log, (int32_t)sizeof(cn_joint_event));
-	cni_array_init(&events->joint_pending, (int32_t)sizeof(cn_joint_event));
-	cni_array_init(&events->moved, (int32_t)sizeof(cn_body_moved));
-	cni_array_init(&events->asleep, (int32_t)sizeof(cn_body));
-}
-
-void cni_events_deinit(cni_events *events, cni_memory *memory)
-{
-	int32_t kind;
-	for (kind = 0; kind < CN_EVENT_KINDS; ++kind) {
-		cni_array_deinit(&events->log[kind], memory);
-		cni_array_deinit(&events->pending[kind], memory);
-		cni_array_deinit(&events->seen[kind], memory);
-	}
-	cni_array_deinit(&events->sensor_log, memory);
-	cni_array_deinit(&events->sensor_pending, memory);
-	cni_array_deinit(&events->joint_log, memory);
-	cni_array_deinit(&events->joint_pending, memory);
-	cni_array_deinit(&events->moved, memory);
-	cni_array_deinit(&events->asleep, memory);
-}
 
 static void pending_to_log(cni_array *log, cni_array *pending)
 {

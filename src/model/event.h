@@ -54,8 +54,6 @@ typedef struct cni_events {
 	int32_t reserved;
 } cni_events;
 
-void cni_events_init(cni_events *events);
-void cni_events_deinit(cni_events *events, cni_memory *memory);
 /* The arrays that were built from the logs are void. */
 void cni_events_forget_built(cni_events *events);
 /* At the beginning of a step: pending logs become the logs, built arrays become invalid. */

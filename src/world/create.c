@@ -145,6 +145,9 @@ enum {
 	ROOM_SLEEP_LANES,
 	ROOM_DIRECT_ISLANDS,
 	ROOM_PLAN,
+	ROOM_EVENTS,
+	ROOM_JOINT_EVENTS,
+	ROOM_MOVED_EVENTS,
 	ROOMS
 };
 
@@ -191,6 +194,18 @@ static const array_of_world world_arrays[] = {
 	ARRAY(sleep_lanes, sizeof(cni_sleep_lane), ROOM_SLEEP_LANES),
 	ARRAY(pairs.list, sizeof(cni_pair), ROOM_PAIRS),
 	ARRAY(areas, sizeof(cni_area), ROOM_NONE),
+	ARRAY(events.log[CN_EVENT_ENTER], sizeof(cni_event), ROOM_EVENTS), ARRAY(events.pending[CN_EVENT_ENTER], sizeof(cni_event), ROOM_NONE),
+	ARRAY(events.log[CN_EVENT_LEAVE], sizeof(cni_event), ROOM_EVENTS), ARRAY(events.pending[CN_EVENT_LEAVE], sizeof(cni_event), ROOM_EVENTS),
+	ARRAY(events.log[CN_EVENT_STAY], sizeof(cni_event_stay), ROOM_EVENTS), ARRAY(events.pending[CN_EVENT_STAY], sizeof(cni_event), ROOM_NONE),
+	ARRAY(events.log[CN_EVENT_CREATED], sizeof(cni_event), ROOM_EVENTS), ARRAY(events.pending[CN_EVENT_CREATED], sizeof(cni_event), ROOM_NONE),
+	ARRAY(events.log[CN_EVENT_DESTROYED], sizeof(cni_event), ROOM_EVENTS), ARRAY(events.pending[CN_EVENT_DESTROYED], sizeof(cni_event), ROOM_EVENTS),
+	ARRAY(events.log[CN_EVENT_HIT], sizeof(cn_contact_event), ROOM_EVENTS), ARRAY(events.pending[CN_EVENT_HIT], sizeof(cni_event), ROOM_NONE),
+	ARRAY(events.seen[0], sizeof(cn_contact_event), ROOM_NONE), ARRAY(events.seen[1], sizeof(cn_contact_event), ROOM_NONE),
+	ARRAY(events.seen[2], sizeof(cn_contact_event), ROOM_NONE), ARRAY(events.seen[3], sizeof(cn_contact_event), ROOM_NONE),
+	ARRAY(events.seen[4], sizeof(cn_contact_event), ROOM_NONE), ARRAY(events.seen[5], sizeof(cn_contact_event), ROOM_NONE),
+	ARRAY(events.sensor_log, sizeof(cn_sensor_event), ROOM_EVENTS), ARRAY(events.sensor_pending, sizeof(cn_sensor_event), ROOM_EVENTS),
+	ARRAY(events.joint_log, sizeof(cn_joint_event), ROOM_JOINT_EVENTS), ARRAY(events.joint_pending, sizeof(cn_joint_event), ROOM_JOINT_EVENTS),
+	ARRAY(events.moved, sizeof(cn_body_moved), ROOM_MOVED_EVENTS), ARRAY(events.asleep, sizeof(cn_body), ROOM_KICKED),
 };
 
 #define COUNT_OF(list) ((int32_t)(sizeof(list) / sizeof((list)[0])))
@@ -210,7 +225,6 @@ static void tables_init(cn_world *world)
 		cni_table_init(table_at(world, k), world_tables[k].item_bytes, world_tables[k].page_shift);
 	for (k = 0; k < COUNT_OF(world_arrays); ++k)
 		cni_array_init(array_at(world, k), world_arrays[k].item_bytes);
-	cni_events_init(&world->events);
 	for (k = 0; k < CNI_COLOR_LISTS; ++k)
 		world->colors[k].first = world->colors[k].last = CNI_NONE;
 	world->proxy_free = world->contact_free = world->block_free = world->island_free = CNI_NONE;
@@ -231,7 +245,6 @@ static void tables_deinit(cn_world *world)
 		cni_table_deinit(table_at(world, k), memory);
 	for (k = 0; k < COUNT_OF(world_arrays); ++k)
 		cni_array_deinit(array_at(world, k), memory);
-	cni_events_deinit(&world->events, memory);
 }
 
 /* Creates the dummy body at dense index 0, in reserved memory: infinite mass, never moves. */
@@ -361,6 +374,9 @@ static void rooms_make(const cn_world_def *d, int32_t fixed, int32_t rooms[ROOMS
 	rooms[ROOM_PAIRS] = contacts;
 	rooms[ROOM_SLEEP_LANES] = CNI_SLEEP_IN_BLOCKS ? 0 : touching_of(d);
 	rooms[ROOM_DIRECT_ISLANDS] = CNI_HAS_DIRECT ? bodies / 2 : 0;
+	rooms[ROOM_EVENTS] = events_of(d);
+	rooms[ROOM_JOINT_EVENTS] = joints;
+	rooms[ROOM_MOVED_EVENTS] = reserves(d, CN_RESERVE_MOVED) ? 2 * bodies + 1 : 0;
 	rooms[ROOM_PLAN] = CNI_HAS_DIRECT ? (int32_t)(cni_direct_kept_bytes(d->solver, joints, contacts) / CNI_KEPT_BYTES) : 0;
 }
 
@@ -384,25 +400,10 @@ static int32_t reserve_rooms(cn_world *world, const cn_world_def *d)
 	return good;
 }
 
-/* Reserves for a fixed world the arrays that a growing world allocates on demand. */
-static int32_t reserve_events(cn_world *world, const cn_world_def *d)
-{
-	cni_memory *m = &world->memory;
-	cni_events *events = &world->events;
-	int32_t kind, n = events_of(d);
-	for (kind = 0; kind < CN_EVENT_KINDS; ++kind)
-		if (!cni_array_reserve_exact(&events->log[kind], m, n))
-			return 0;
-	return cni_contact_reserve_reports(world, n) && cni_array_reserve_exact(&events->asleep, m, 2 * d->body_capacity) &&
-	       cni_array_reserve_exact(&events->joint_log, m, d->joint_capacity) && cni_array_reserve_exact(&events->joint_pending, m, d->joint_capacity);
-}
-
 /* What a fixed world has beside its rooms. */
 static int32_t reserve_rest(cn_world *world, const cn_world_def *d)
 {
-	return reserve_events(world, d) && reserve_pieces(world, d) &&
-	       (!reserves(d, CN_RESERVE_MOVED) || cni_array_reserve_exact(&world->events.moved, &world->memory, 2 * d->body_capacity + 1)) &&
-	       cni_arena_reserve(&world->arena, arena_bytes(d));
+	return reserve_pieces(world, d) && cni_arena_reserve(&world->arena, arena_bytes(d));
 }
 
 static uint64_t array_bytes(int32_t count, size_t item)
@@ -448,15 +449,9 @@ static uint64_t rooms_bytes(const cn_world_def *d)
 	return bytes;
 }
 
-/* The last line is for the event arrays that users request: all events of a contact in a step except its creation, for twice as many
-   contacts, because these arrays grow; half of them may have hits. */
-static uint64_t event_arrays_bytes(const cn_world_def *d)
-{
-	int32_t n = events_of(d);
-	return array_bytes(2 * d->body_capacity, sizeof(cn_body)) + 2u * array_bytes(d->joint_capacity, sizeof(cn_joint_event)) +
-	       (reserves(d, CN_RESERVE_MOVED) ? array_bytes(2 * d->body_capacity + 1, sizeof(cn_body_moved)) : 0u) + 6u * array_bytes(n, sizeof(cni_event)) + array_bytes(n, sizeof(cni_event_stay)) + array_bytes(n, sizeof(cn_contact_event)) +
-	       2u * array_bytes(n, sizeof(cn_sensor_event)) + 3u * array_bytes(n, sizeof(cn_contact_event));
-}
+/* For the event arrays that users request: all events of a contact in a step except its creation, for twice as many contacts, because these
+   arrays grow; half of them may have hits. */
+static uint64_t seen_bytes(const cn_world_def *d) { return 3u * array_bytes(events_of(d), sizeof(cn_contact_event)); }
 
 cn_result cn_world_bytes_needed(const cn_world_def *def, uint64_t *out_bytes)
 {
@@ -465,7 +460,7 @@ cn_result cn_world_bytes_needed(const cn_world_def *def, uint64_t *out_bytes)
 	cni_check_pointer(&call, "out_bytes", out_bytes);
 	if (call.result != CN_OK)
 		return call.result;
-	*out_bytes = cni_memory_rounded(sizeof(cn_world)) + rooms_bytes(def) + event_arrays_bytes(def) + array_bytes(1, (size_t)arena_bytes(def)) +
+	*out_bytes = cni_memory_rounded(sizeof(cn_world)) + rooms_bytes(def) + seen_bytes(def) + array_bytes(1, (size_t)arena_bytes(def)) +
 	             pieces_bytes(def) + broadphase_choice(def->broadphase)->bytes_needed(def->shape_capacity);
 	if (cni_team_possible(def->worker_count, def->enqueue))
 		*out_bytes += cni_memory_rounded(cni_team_bytes(def->worker_count));
