@@ -134,6 +134,12 @@ static void impact_add(cn_world *world, const cni_listed_block *b, int32_t lane,
 		cni_impulse_sums_strike(world, b->info->contact[lane], record->jn[l], record->jt[l], record->closing[0][l], record->closing[1][l]);
 }
 
+static void found_begin(found_lanes *found)
+{
+	found->count = found->hits = 0;
+	lanes_begin(&found->lanes);
+}
+
 static void found_solve(const color_sweep *c, found_lanes *found)
 {
 	cni_impact_pass pass = c->pass;
@@ -169,8 +175,7 @@ static void color_sweep_run(void *context, int32_t begin, int32_t end, int32_t w
 	found_lanes found;
 	int32_t from, k;
 	(void)worker;
-	found.count = found.hits = 0;
-	lanes_begin(&found.lanes);
+	found_begin(&found);
 	for (from = begin; from < end; from += BLOCKS_AT_ONCE) {
 		uint32_t closing[BLOCKS_AT_ONCE];
 		int32_t count = cni_min_i(end - from, BLOCKS_AT_ONCE);
@@ -189,26 +194,19 @@ static void color_sweep_run(void *context, int32_t begin, int32_t end, int32_t w
 /* In the overflow colour a body may be in several lanes, and one impact may cause another: lanes are solved one by one. */
 static void overflow_sweep(color_sweep *c, int32_t count)
 {
-	cni_impact_lanes one;
-	cni_impact_record record;
-	cni_impact_pass pass = c->pass;
+	found_lanes found;
 	int32_t k, l;
-	memset(&record, 0, sizeof record);
-	pass.record = &record;
-	for (k = 0; k < count; ++k) {
-		const cni_listed_block *b = &c->blocks[k];
-		for (l = 0; l < b->lanes; ++l) {
-			if (b->info->restitution[l] == 0.0f)
+	found_begin(&found);
+	c->kernel = &cni_contact_kernel_plain;
+	for (k = 0; k < count; ++k)
+		for (l = 0; l < c->blocks[k].lanes; ++l) {
+			if (c->blocks[k].info->restitution[l] == 0.0f)
 				continue;
-			lanes_begin(&one);
-			lane_add(c->world, b, l, &one, 0);
-			pass.one_sided = b->rows->ib[l] == 0;
-			record.jn[0] = 0.0f;
-			c->hits += (uint32_t)cni_contact_kernel_plain.impact(&pass, &one, 1);
-			if (c->world->sums_active)
-				impact_add(c->world, b, l, &record, 0);
+			c->pass.one_sided = c->blocks[k].rows->ib[l] == 0;
+			found_add(c, &found, &c->blocks[k], 1u << l);
+			found_solve(c, &found);
 		}
-	}
+	c->hits += (uint32_t)found.hits;
 }
 
 static uint32_t sweep(cn_world *world, const cni_solve *s, int32_t number)
