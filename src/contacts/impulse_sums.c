@@ -80,29 +80,21 @@ typedef struct sums_loop {
 	int32_t from_starts; /* velocities are in start, else in motion */
 } sums_loop;
 
-typedef struct body_speed {
-	float vx, vy, w;
-} body_speed;
-
-static body_speed speed_of(const sums_loop *loop, int32_t index)
+/* The first three floats of either record: vx, vy, w. */
+static const float *speed_of(const sums_loop *loop, int32_t index)
 {
-	const cni_velocity_start *start = cni_starts(loop->world) + index;
-	const cni_motion *m = cni_motions(loop->world) + index;
-	body_speed s;
-	s.vx = loop->from_starts ? start->vx : m->vx;
-	s.vy = loop->from_starts ? start->vy : m->vy;
-	s.w = loop->from_starts ? start->w : m->w;
-	return s;
+	const void *start = cni_starts(loop->world) + index, *motion = cni_motions(loop->world) + index;
+	return (const float *)(loop->from_starts ? start : motion);
 }
 
 static void lane_open(const sums_loop *loop, cni_block_sums *sums, int32_t l)
 {
 	const cni_contact_block *k = cni_block_at(loop->world, sums->block);
-	body_speed a = speed_of(loop, k->ia[l]), b = speed_of(loop, k->ib[l]);
-	float n = k->nx[l] * (b.vx - a.vx) + k->ny[l] * (b.vy - a.vy);
+	const float *a = speed_of(loop, k->ia[l]), *b = speed_of(loop, k->ib[l]);
+	float n = k->nx[l] * (b[0] - a[0]) + k->ny[l] * (b[1] - a[1]);
 	int32_t p;
 	for (p = 0; p < 2; ++p)
-		sums->closing[p][l] = -(n + b.w * (k->p[p].at[l] - k->dt[l]) - a.w * k->p[p].at[l]);
+		sums->closing[p][l] = -(n + b[2] * (k->p[p].at[l] - k->dt[l]) - a[2] * k->p[p].at[l]);
 }
 
 static void open_range(void *context, int32_t begin, int32_t end, int32_t worker)
@@ -141,18 +133,27 @@ static void lane_strike(cni_block_sums *sums, int32_t l, int32_t point, float cl
 	sums->struck = (sums->struck & ~(1u << l)) | (uint32_t)point << l;
 }
 
-void cni_impulse_sums_strike(cn_world *world, int32_t contact, float normal, float friction, float first_closing, float second_closing)
+/* Adds impulses to the sums of the contact's lane *l, or to its ENTER event alone: returns NULL. */
+static cni_block_sums *sums_add(cn_world *world, int32_t contact, float normal, float friction, int32_t *l)
 {
 	const cni_contact *c = cni_contact_at(world, contact);
 	cni_block_sums *sums = cni_block_sums_at(world, c->slot / CNI_LANES);
-	int32_t point = second_closing > first_closing, l = c->slot % CNI_LANES;
+	*l = c->slot % CNI_LANES;
 	if (sums == NULL) {
 		cni_contact_add_enter_impulses(world, c, normal, friction);
-		return;
+		return NULL;
 	}
-	sums->normal[l] += normal;
-	sums->friction[l] += friction;
-	lane_strike(sums, l, point, point ? second_closing : first_closing);
+	sums->normal[*l] += normal;
+	sums->friction[*l] += friction;
+	return sums;
+}
+
+void cni_impulse_sums_strike(cn_world *world, int32_t contact, float normal, float friction, float first_closing, float second_closing)
+{
+	int32_t point = second_closing > first_closing, l;
+	cni_block_sums *sums = sums_add(world, contact, normal, friction, &l);
+	if (sums != NULL)
+		lane_strike(sums, l, point, point ? second_closing : first_closing);
 }
 
 static void lane_blow(cni_block_sums *sums, int32_t l, float first, float second)
@@ -165,16 +166,10 @@ static void lane_blow(cni_block_sums *sums, int32_t l, float first, float second
 
 void cni_impulse_sums_take(cn_world *world, int32_t contact, float first, float second, float friction)
 {
-	const cni_contact *c = cni_contact_at(world, contact);
-	cni_block_sums *sums = cni_block_sums_at(world, c->slot / CNI_LANES);
-	int32_t l = c->slot % CNI_LANES;
-	if (sums == NULL) {
-		cni_contact_add_enter_impulses(world, c, first + second, friction);
-		return;
-	}
-	sums->normal[l] += first + second;
-	sums->friction[l] += friction;
-	lane_blow(sums, l, first, second);
+	int32_t l;
+	cni_block_sums *sums = sums_add(world, contact, first + second, friction, &l);
+	if (sums != NULL)
+		lane_blow(sums, l, first, second);
 }
 
 static void take_range(void *context, int32_t begin, int32_t end, int32_t worker)
