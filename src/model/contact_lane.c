@@ -96,21 +96,10 @@ static float lock(const cni_body *b, uint32_t flag)
 	return cni_body_flags(b) & flag ? 1.0f : 0.0f;
 }
 
-/* Bodies with a locked axis need the extra rows; without memory for them the solver only clears the locked velocity afterwards. */
-static void lane_write_locks(cn_world *world, const cni_contact *c, const lane_frame *f)
+static void lane_write_locks(const cn_world *world, const cni_contact *c, const lane_frame *f)
 {
 	int32_t lane = c->slot % CNI_LANES;
-	cni_block_info *info = cni_block_info_at(world, c->slot / CNI_LANES);
-	cni_block_extra *extra;
-	if (!f->locks && !(info->flags & CNI_BLOCK_EXTRA))
-		return;
-	if (f->locks && !cni_lane_reserve_extra(world)) {
-		world->warnings |= CN_WARNING_FRAME_MEMORY;
-		return;
-	}
-	if (f->locks)
-		info->flags |= CNI_BLOCK_EXTRA;
-	extra = cni_block_extra_at(world, c->slot / CNI_LANES);
+	cni_block_extra *extra = cni_block_extra_at(world, c->slot / CNI_LANES);
 	extra->lock_ax[lane] = lock(f->a, CN_BODY_LOCK_X);
 	extra->lock_ay[lane] = lock(f->a, CN_BODY_LOCK_Y);
 	extra->lock_bx[lane] = lock(f->b, CN_BODY_LOCK_X);
@@ -121,10 +110,11 @@ static void lane_write_locks(cn_world *world, const cni_contact *c, const lane_f
 typedef struct lane_mass {
 	float n, t;   /* along n and t */
 	float ia, ib;
+	int32_t locked; /* 1: some axis is locked, and there are extra rows for it */
 } lane_mass;
 
-/* Locks count only if the kernel has extra rows for them. Without, the kernel takes the body as free along the locked axis, and a
-   reduced mass would push it too hard, and more in each pass. */
+/* Without memory for the extra rows that a locked axis needs, the kernel takes the body as free along it: a reduced mass would push it too
+   hard, and more in each pass. The solver then only clears the locked velocity afterwards. */
 static lane_mass lane_mass_of(cn_world *world, const lane_frame *f)
 {
 	const cni_motion *ma = cni_motions(world) + f->a->awake, *mb = cni_motions(world) + f->b->awake;
@@ -132,9 +122,12 @@ static lane_mass lane_mass_of(cn_world *world, const lane_frame *f)
 	m.ia = ma->inv_inertia;
 	m.ib = mb->inv_inertia;
 	m.n = m.t = ma->inv_mass + mb->inv_mass;
-	if (f->locks && cni_lane_reserve_extra(world)) {
+	m.locked = f->locks && cni_lane_reserve_extra(world);
+	if (m.locked) {
 		m.n = mass_of_both(f, ma->inv_mass, mb->inv_mass, f->n);
 		m.t = mass_of_both(f, ma->inv_mass, mb->inv_mass, f->t);
+	} else if (f->locks) {
+		world->warnings |= CN_WARNING_FRAME_MEMORY;
 	}
 	return m;
 }
@@ -143,12 +136,16 @@ static lane_mass lane_mass_of(cn_world *world, const lane_frame *f)
 static void lane_write_rare(cn_world *world, cni_contact *c, const lane_frame *f, const lane_mass *m)
 {
 	int32_t block = c->slot / CNI_LANES;
-	lane_write_locks(world, c, f);
+	cni_block_info *info = cni_block_info_at(world, block);
+	if (m->locked)
+		info->flags |= CNI_BLOCK_EXTRA;
+	if (info->flags & CNI_BLOCK_EXTRA)
+		lane_write_locks(world, c, f);
 	if (c->flags & CNI_CONTACT_REFRESH) {
 		lane_write_material(world, c, cni_block_at(world, block), c->slot % CNI_LANES);
 		c->flags &= ~(uint32_t)CNI_CONTACT_REFRESH;
 	}
-	if (cni_block_info_at(world, block)->flags & CNI_BLOCK_EXTRA)
+	if (info->flags & CNI_BLOCK_EXTRA)
 		cni_block_extra_at(world, block)->rolling_mass[c->slot % CNI_LANES] = cni_inverse_or_zero(m->ia + m->ib);
 }
 
