@@ -35,6 +35,14 @@ static void island_release(cn_world *world, int32_t island)
 	--world->island_count;
 }
 
+/* Of an island that is left with one body. */
+static void island_dissolve(cn_world *world, int32_t island)
+{
+	cni_body *b = cni_body_at(world, cni_island_at(world, island)->first);
+	b->island = b->island_next = b->island_prev = CNI_NONE;
+	island_release(world, island);
+}
+
 static void island_append(cn_world *world, int32_t island, int32_t body)
 {
 	cni_island *i = cni_island_at(world, island);
@@ -157,11 +165,8 @@ void cni_island_remove_body(cn_world *world, int32_t body)
 		i->last = b->island_prev;
 	b->island = b->island_next = b->island_prev = CNI_NONE;
 	++i->losses;
-	if (--i->count == 1) {
-		cni_body *last = cni_body_at(world, i->first);
-		last->island = last->island_next = last->island_prev = CNI_NONE;
-		island_release(world, island);
-	}
+	if (--i->count == 1)
+		island_dissolve(world, island);
 }
 
 /* ---- splitting ---- */
@@ -203,11 +208,8 @@ static void part_collect(cn_world *world, int32_t seed, const cni_island *whole,
 		island_append(world, island, body);
 		top = push_neighbours(world, body, stack, top);
 	}
-	if (cni_island_at(world, island)->count == 1) {
-		cni_body *b = cni_body_at(world, seed);
-		b->island = b->island_next = b->island_prev = CNI_NONE;
-		island_release(world, island);
-	}
+	if (cni_island_at(world, island)->count == 1)
+		island_dissolve(world, island);
 }
 
 int32_t cni_island_split(cn_world *world, int32_t island)
