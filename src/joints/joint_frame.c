@@ -74,15 +74,15 @@ cni_joint_frame cni_joint_frame_make(const cn_world *world, const cni_joint *j)
 
 /* ---- read-back ---- */
 
+static cni_vec2 side_anchor(const cn_world *world, const cni_joint *j, int32_t side)
+{
+	return j->body[side] == CNI_NONE ? j->anchor[side] : cni_transform_point(cni_body_transform(cni_body_at(world, j->body[side])), j->anchor[side]);
+}
+
 void cni_joint_anchors(const cn_world *world, const cni_joint *j, cni_vec2 *out_a, cni_vec2 *out_b)
 {
-	cni_vec2 *out[2];
-	int32_t side;
-	out[0] = out_a;
-	out[1] = out_b;
-	for (side = 0; side < 2; ++side)
-		*out[side] = j->body[side] == CNI_NONE ? j->anchor[side]
-		             : cni_transform_point(cni_body_transform(cni_body_at(world, j->body[side])), j->anchor[side]);
+	*out_a = side_anchor(world, j, 0);
+	*out_b = side_anchor(world, j, 1);
 }
 
 void cni_joint_error(const cn_world *world, const cni_joint *j, float *out_m, float *out_rad)

@@ -90,7 +90,7 @@ static float warm_scale(const cn_world *world, float dt)
 	return last > 0.0f ? cni_min(dt / last, CNI_WARM_STEP_RATIO_MAX) : 1.0f;
 }
 
-static cni_solve make(const cn_world *world, float dt, int32_t substeps)
+cni_solve cni_solve_make(const cn_world *world, float dt, int32_t substeps)
 {
 	const cni_settings *set = &world->settings;
 	cni_solve s;
@@ -119,14 +119,9 @@ static cni_solve make(const cn_world *world, float dt, int32_t substeps)
 	return s;
 }
 
-cni_solve cni_solve_make(const cn_world *world, float dt)
-{
-	return make(world, dt, world->settings.substeps);
-}
-
 cni_solve cni_solve_make_sequential(const cn_world *world, float dt)
 {
-	cni_solve s = make(world, dt, 1);
+	cni_solve s = cni_solve_make(world, dt, 1);
 	s.warm_scale = 0.0f;
 	s.pushed_most = world->settings.slop; /* it corrects overlaps at once */
 	s.body_kernel = NULL; /* its displacements at the end are corrections alone: finalize.c, body_is_pushed */

@@ -6,7 +6,7 @@
 
 #include "model/solve.h"
 
-cni_solve cni_solve_make(const cn_world *world, float dt);
+cni_solve cni_solve_make(const cn_world *world, float dt, int32_t substeps);
 /* One substep, no warm start. */
 cni_solve cni_solve_make_sequential(const cn_world *world, float dt);
 /* Stage 6. */

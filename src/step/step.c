@@ -165,7 +165,7 @@ static void step_end(cn_world *world, float dt, int32_t rested)
 static int32_t step_soft(cn_world *world, float dt, uint64_t *mark)
 {
 	cn_profile *profile = &world->profile;
-	cni_solve s = cni_solve_make(world, dt);
+	cni_solve s = cni_solve_make(world, dt, world->settings.substeps);
 	cni_sparse direct;
 	int32_t rested;
 	cni_stage_pairs(world, dt);

@@ -91,7 +91,7 @@ enum { VELOCITIES_FIRST, VELOCITIES, POSITIONS, FINISH, LOOPS };
 
 static void run(cn_world *world, const cni_body_kernel *kernel, int32_t loop, state *out)
 {
-	cni_solve s = cni_solve_make(world, FRAME_S);
+	cni_solve s = cni_solve_make(world, FRAME_S, world->settings.substeps);
 	s.body_kernel = kernel;
 	put(world, &drawn);
 	if (loop == VELOCITIES_FIRST)
@@ -208,7 +208,7 @@ static int32_t bodies_differ(cn_world *worlds[2])
 static void same_ends(const cni_body_kernel *kernel, const char *name)
 {
 	cn_world *worlds[2] = { world_of_bodies(), world_of_bodies() };
-	cni_solve s = cni_solve_make(worlds[0], FRAME_S);
+	cni_solve s = cni_solve_make(worlds[0], FRAME_S, worlds[0]->settings.substeps);
 	int32_t round, differ = 0, rested = 0, resting = 0, k;
 	for (round = 0; round < ROUNDS; ++round) {
 		draw_ends();

@@ -93,7 +93,7 @@ static void loads_of_what_rests_follow_slower(void)
 	for (k = 0; k < 3; ++k) {
 		cni_solve s;
 		must(cn_world_set_substep_count(world, substeps[k]), world, "cn_world_set_substep_count");
-		s = cni_solve_make(world, FRAME_S);
+		s = cni_solve_make(world, FRAME_S, world->settings.substeps);
 		for (kind = 0; kind < CNI_CONTACTS_KINDS; ++kind)
 			if (kind & CNI_CONTACTS_RESTED) {
 				const cni_contact_pass *moves = &s.contact[kind & ~CNI_CONTACTS_RESTED], *rests = &s.contact[kind];
