@@ -447,8 +447,6 @@ static void kernel_relax(const cni_color_pass *c, int32_t begin, int32_t end)
 	solve_blocks(c, begin, end, 0);
 }
 
-#if CNI_HAS_DIRECT
-
 /* Solves the lanes that are marked once more, and clears the marks. */
 static void kernel_again(const cni_color_pass *c, int32_t begin, int32_t end)
 {
@@ -470,11 +468,6 @@ static void kernel_again(const cni_color_pass *c, int32_t begin, int32_t end)
 		}
 	}
 }
-
-#define AGAIN kernel_again
-#else
-#define AGAIN NULL
-#endif
 
 /* Lanes in which every movable body has settled. */
 CNI_INLINE cni_mask lanes_settled(const cni_external *externals, const cni_contact_block *k, int32_t l, const side *b)
@@ -574,8 +567,6 @@ CNI_INLINE uint32_t group_closing(const float *starts, const cni_contact_block *
 	return cni_mask_bits(closes & bounces) << l;
 }
 
-#if CNI_HAS_RESTITUTION
-
 #define CLOSING_AHEAD 2 /* blocks whose memory is asked for */
 
 /* Prefetches the rows of a block that kernel_closing reads. */
@@ -604,13 +595,7 @@ static void kernel_closing(const cni_velocity_start *starts, const cni_listed_bl
 }
 
 #include "contacts/restitution_kernel.h"
-
-#endif
-
 #include "contacts/manifold_reuse_kernel.h"
 
-#if CNI_HAS_RESTITUTION
-const cni_contact_kernel CNI_KERNEL = { { kernel_warm, kernel_solve, kernel_relax, AGAIN }, kernel_closing, kernel_impact, kernel_reuse };
-#else
-const cni_contact_kernel CNI_KERNEL = { { kernel_warm, kernel_solve, kernel_relax, AGAIN }, NULL, NULL, kernel_reuse };
-#endif
+const cni_contact_kernel CNI_KERNEL = { { kernel_warm, kernel_solve, kernel_relax, CNI_HAS_DIRECT ? kernel_again : NULL },
+	CNI_HAS_RESTITUTION ? kernel_closing : NULL, CNI_HAS_RESTITUTION ? kernel_impact : NULL, kernel_reuse };

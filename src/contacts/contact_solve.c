@@ -152,8 +152,6 @@ void cni_contacts_solve(cn_world *world, const cni_solve *s)
 	colors_run(world, s, CNI_PASS_SOLVE);
 }
 
-#if CNI_HAS_DIRECT
-
 static void overflow_run_again(cn_world *world, const cni_solve *s)
 {
 	const cni_listed_block *blocks = cni_listed_blocks(world, CNI_COLOR_OVERFLOW);
@@ -175,13 +173,6 @@ void cni_contacts_solve_again(cn_world *world, const cni_solve *s)
 	overflow_run_again(world, s);
 	colors_run(world, s, CNI_PASS_AGAIN);
 }
-
-#else
-
-void cni_contact_mark_again(const cn_world *world, int32_t slot) { (void)world, (void)slot; }
-void cni_contacts_solve_again(cn_world *world, const cni_solve *s) { (void)world, (void)s; }
-
-#endif
 
 void cni_contacts_relax(cn_world *world, const cni_solve *s)
 {

@@ -13,7 +13,7 @@ void cni_contacts_list(cn_world *world, cni_solve *s);
 void cni_contacts_warm_start(cn_world *world, const cni_solve *s);
 void cni_contacts_solve(cn_world *world, const cni_solve *s);
 void cni_contacts_relax(cn_world *world, const cni_solve *s);
-/* Marks a lane, and the soft pass for all marked lanes, which clears the marks. Nothing in builds without direct solving. */
+/* Marks a lane, and the soft pass for all marked lanes, which clears the marks. */
 void cni_contact_mark_again(const cn_world *world, int32_t slot);
 void cni_contacts_solve_again(cn_world *world, const cni_solve *s);
 void cni_contacts_impact(cn_world *world, const cni_solve *s);

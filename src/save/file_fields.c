@@ -112,10 +112,7 @@ static const cni_field block_fields[] = {
 #define I(member, kind) FIELD(cni_block_info, member, kind)
 static const cni_field info_fields[] = {
 	I(contact, CONTACT), I(restitution, WORD), I(prev, BLOCK), I(next, BLOCK), I(color, HALF), I(flags, HALF), I(sums, DERIVED), I(fresh_step, STAMP), I(fresh, HALF),
-	I(anchored, HALF), I(of_b, LANE_BITS), I(face, LANE_BITS), I(points_of_b, LANE_BITS),
-#if CNI_HAS_DIRECT
-	I(again, DERIVED)
-#endif
+	I(anchored, HALF), I(of_b, LANE_BITS), I(face, LANE_BITS), I(points_of_b, LANE_BITS), I(again, DERIVED)
 };
 static const cni_field anchor_fields[] = { { 0, sizeof(cni_block_anchor) / 4, CNI_FIELD_WORD } };
 static const cni_field extra_fields[] = { { 0, sizeof(cni_block_extra) / 4, CNI_FIELD_WORD } };
