@@ -52,12 +52,6 @@ static const float *record_of(const cn_world *world, int32_t index)
 	return cni_record_floats(cni_body_at(world, cni_awake_ids(world)[index]));
 }
 
-static void lanes_begin(cni_impact_lanes *lanes)
-{
-	lanes->at_world = 0;
-	lanes->has_extra = 0;
-}
-
 /* Adds the lane's extra rows. Once one lane has extra rows, the others point to zero rows. */
 static void extra_add(cni_impact_lanes *lanes, const cni_block_extra *extra, int32_t from, int32_t l)
 {
@@ -78,12 +72,8 @@ static void lane_add(const cn_world *world, const cni_listed_block *b, int32_t f
 	if (b->extra != NULL)
 		extra_add(lanes, b->extra, from, l);
 	lanes->a[l] = record_of(world, ia);
-	if (ib != 0) {
-		lanes->b[l] = record_of(world, ib);
-	} else {
-		lanes->b[l] = cni_record_floats(&cni_body_none);
-		lanes->at_world |= 1u << l;
-	}
+	lanes->b[l] = ib != 0 ? record_of(world, ib) : cni_record_floats(&cni_body_none);
+	lanes->at_world |= (uint32_t)(ib == 0) << l;
 }
 
 /* Fills the unused lanes from count on. */
@@ -136,8 +126,8 @@ static void impact_add(cn_world *world, const cni_listed_block *b, int32_t lane,
 
 static void found_begin(found_lanes *found)
 {
-	found->count = found->hits = 0;
-	lanes_begin(&found->lanes);
+	found->count = found->lanes.has_extra = 0;
+	found->lanes.at_world = 0;
 }
 
 static void found_solve(const color_sweep *c, found_lanes *found)
@@ -152,8 +142,7 @@ static void found_solve(const color_sweep *c, found_lanes *found)
 	found->hits += c->kernel->impact(&pass, &found->lanes, found->count);
 	for (l = 0; l < found->count && pass.record != NULL; ++l)
 		impact_add(c->world, found->block[l], found->from[l], &record, l);
-	found->count = 0;
-	lanes_begin(&found->lanes);
+	found_begin(found);
 }
 
 static void found_add(const color_sweep *c, found_lanes *found, const cni_listed_block *b, uint32_t closing)
@@ -175,6 +164,7 @@ static void color_sweep_run(void *context, int32_t begin, int32_t end, int32_t w
 	found_lanes found;
 	int32_t from, k;
 	(void)worker;
+	found.hits = 0;
 	found_begin(&found);
 	for (from = begin; from < end; from += BLOCKS_AT_ONCE) {
 		uint32_t closing[BLOCKS_AT_ONCE];
@@ -196,6 +186,7 @@ static void overflow_sweep(color_sweep *c, int32_t count)
 {
 	found_lanes found;
 	int32_t k, l;
+	found.hits = 0;
 	found_begin(&found);
 	c->kernel = &cni_contact_kernel_plain;
 	for (k = 0; k < count; ++k)
