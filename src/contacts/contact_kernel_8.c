@@ -1,11 +1,9 @@
 /*
- * contacts/contact_kernel_8.c - the contact kernel with vectors of 8 floats: AVX2, used only if the processor has it. Fused
- * multiply-add stays off: it would change the bits.
+ * contacts/contact_kernel_8.c - the contact kernel with vectors of 8 floats: AVX2, used only if the processor has it.
  */
 #include "base/cpu.h"
 
 #if CNI_HAS_WIDE_8
-/* Headers with functions of their own precede avx2_begin.h, so that only this file's code needs AVX2. */
 #include "base/bitset.h"
 #include "contacts/contact_pass.h"
 #include <immintrin.h>

@@ -1,11 +1,9 @@
 /*
- * joints/joint_kernel_8.c - the kernel of joints on vectors of eight floats: AVX2, used only where the
- * processor has it. Fused multiply-add stays off: it would change the bits.
+ * joints/joint_kernel_8.c - the kernel of joints on vectors of eight floats: AVX2, used only where the processor has it.
  */
 #include "base/cpu.h"
 
 #if CNI_HAS_WIDE_8
-/* Headers with functions of their own come first, so that only this file's code needs AVX2. */
 #include "joints/joint_pass.h"
 #include <immintrin.h>
 #include "base/avx2_begin.h"

@@ -1,11 +1,9 @@
 /*
- * step/integrate_kernel_8.c - the body kernel with vectors of 8 floats: AVX2, used only if the processor has it. Fused
- * multiply-add stays off: it would change the bits.
+ * step/integrate_kernel_8.c - the body kernel with vectors of 8 floats: AVX2, used only if the processor has it.
  */
 #include "base/cpu.h"
 
 #if CNI_HAS_WIDE_8
-/* Headers with functions of their own precede avx2_begin.h, so that only this file's code needs AVX2. */
 #include "step/integrate_pass.h"
 #include <immintrin.h>
 #include "base/avx2_begin.h"
