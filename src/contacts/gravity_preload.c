@@ -411,10 +411,8 @@ static int32_t pile_begin(pile *q, cn_world *world, float h, float warm_scale)
 	q->warm_scale = warm_scale;
 	if (q->weight_speed == 0.0f)
 		return 0;
-	q->order = (uint64_t *)cni_arena_push(&world->arena, sizeof(uint64_t) * room);
-	q->weights = q->order == NULL ? NULL : (weight *)cni_arena_push(&world->arena, sizeof(weight) * room);
-	if (q->weights == NULL)
-		world->warnings |= CN_WARNING_FRAME_MEMORY;
+	q->order = (uint64_t *)cni_scratch_push(world, sizeof(uint64_t) * room);
+	q->weights = q->order == NULL ? NULL : (weight *)cni_scratch_push(world, sizeof(weight) * room);
 	return q->weights != NULL;
 }
 

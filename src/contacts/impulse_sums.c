@@ -61,11 +61,9 @@ void cni_impulse_sums_make(cn_world *world)
 	world->sums_active = count > 0 || world->events.log[CN_EVENT_ENTER].count > 0;
 	if (count == 0)
 		return;
-	world->sums = (cni_block_sums *)cni_arena_push(&world->arena, sizeof(cni_block_sums) * (uint64_t)count);
-	if (world->sums == NULL) {
-		world->warnings |= CN_WARNING_FRAME_MEMORY;
+	world->sums = (cni_block_sums *)cni_scratch_push(world, sizeof(cni_block_sums) * (uint64_t)count);
+	if (world->sums == NULL)
 		return;
-	}
 	world->sums_count = count;
 	for (color = 0; color < CNI_COLORS; ++color)
 		for (block = world->colors[color].first; block != CNI_NONE; block = cni_block_info_at(world, block)->next)

@@ -281,6 +281,13 @@ static inline void cni_parallel_for(const cn_world *world, int32_t item_count, i
 {
 	cni_team_for(world->team, item_count, min_range, fn, context);
 }
+/* Scratch of the frame arena. NULL: no memory, with a warning. */
+static inline void *cni_scratch_push(cn_world *world, uint64_t bytes)
+{
+	void *scratch = cni_arena_push(&world->arena, bytes);
+	world->warnings |= scratch == NULL ? (uint32_t)CN_WARNING_FRAME_MEMORY : 0u;
+	return scratch;
+}
 /*
  * Island number in this step of an awake body, from its dense index: below step_island_count, or CNI_NONE (no island, or not
  * dynamic). If few of many islands are awake, they are renumbered, so that the others cost a step nothing.
@@ -291,14 +298,11 @@ static inline int32_t cni_awake_island_number(const cn_world *world, int32_t ind
 		return world->awake_islands[index];
 	return index == 0 || world->island_count == 0 ? CNI_NONE : cni_body_at(world, cni_awake_ids(world)[index])->island;
 }
-static inline int32_t cni_island_of_number(const cn_world *world, int32_t number)
-{
-	return number == CNI_NONE || world->step_islands == NULL ? number : world->step_islands[number];
-}
 /* ... its island record. */
 static inline int32_t cni_awake_island(const cn_world *world, int32_t index)
 {
-	return cni_island_of_number(world, cni_awake_island_number(world, index));
+	int32_t number = cni_awake_island_number(world, index);
+	return number == CNI_NONE || world->step_islands == NULL ? number : world->step_islands[number];
 }
 
 #endif

@@ -318,15 +318,13 @@ void cni_angular_momentum_restore(cn_world *world)
 	body_groups p = { world, NULL, NULL, NULL, NULL };
 	if (world->step_island_count == 0 || !has_pairs(world))
 		return;
-	p.held = (uint8_t *)cni_arena_push(&world->arena, (uint64_t)world->step_island_count);
+	p.held = (uint8_t *)cni_scratch_push(world, (uint64_t)world->step_island_count);
 	if (p.held != NULL)
-		p.root = (int32_t *)cni_arena_push(&world->arena, 3 * sizeof(int32_t) * count);
+		p.root = (int32_t *)cni_scratch_push(world, 3 * sizeof(int32_t) * count);
 	if (p.root != NULL) {
 		p.end = p.root + count;
 		p.bodies = p.end + count;
 		momentum_restore(&p);
-	} else {
-		world->warnings |= CN_WARNING_FRAME_MEMORY; /* without the correction */
 	}
 	(void)cni_arena_pop(&world->arena, p.root);
 	(void)cni_arena_pop(&world->arena, p.held);

@@ -269,11 +269,9 @@ void cni_areas_accelerate(cn_world *world, float dt)
 	visits_find(&v, NULL);
 	if (v.count == 0)
 		return;
-	keys = (uint64_t *)cni_arena_push(&world->arena, sizeof(uint64_t) * 2u * (uint64_t)v.count);
-	if (keys == NULL) {
-		world->warnings |= CN_WARNING_FRAME_MEMORY;
+	keys = (uint64_t *)cni_scratch_push(world, sizeof(uint64_t) * 2u * (uint64_t)v.count);
+	if (keys == NULL)
 		return;
-	}
 	visits_find(&v, keys);
 	cni_sort_keys(keys, keys + v.count, v.count);
 	for (k = 1; k <= v.count; ++k) {

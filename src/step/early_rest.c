@@ -294,13 +294,11 @@ void cni_rest_find(cn_world *world, const cni_solve *s)
 	rest r = { world, s->team, NULL, NULL, 0, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0, 0, 0 };
 	if (s->substeps < 2)
 		return;
-	r.moving = (uint32_t *)cni_arena_push(&world->arena, sizeof(uint32_t) * (uint64_t)cni_max_i(world->step_island_count, 1));
+	r.moving = (uint32_t *)cni_scratch_push(world, sizeof(uint32_t) * (uint64_t)cni_max_i(world->step_island_count, 1));
 	if (r.moving != NULL)
-		r.slow = (int32_t *)cni_arena_push(&world->arena, sizeof(int32_t) * (uint64_t)world->awake_count);
-	if (r.slow != NULL)
+		r.slow = (int32_t *)cni_scratch_push(world, sizeof(int32_t) * (uint64_t)world->awake_count);
+	if (r.slow != NULL) /* otherwise all substeps solve everything */
 		rest_run(&r, s);
-	else
-		world->warnings |= CN_WARNING_FRAME_MEMORY; /* all substeps solve everything */
 	(void)cni_arena_pop(&world->arena, r.slow);
 	(void)cni_arena_pop(&world->arena, r.moving);
 }

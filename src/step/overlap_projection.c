@@ -93,13 +93,10 @@ static int32_t island_is_projected(const projection *p, int32_t island)
 static int32_t islands_make(projection *p)
 {
 	uint64_t bytes = sizeof(still_island) * (uint64_t)p->world->island_used;
-	p->islands = (still_island *)cni_arena_push(&p->world->arena, bytes);
-	if (p->islands == NULL) {
-		p->world->warnings |= CN_WARNING_FRAME_MEMORY;
-		return 0;
-	}
-	memset(p->islands, 0, (size_t)bytes);
-	return 1;
+	p->islands = (still_island *)cni_scratch_push(p->world, bytes);
+	if (p->islands != NULL)
+		memset(p->islands, 0, (size_t)bytes);
+	return p->islands != NULL;
 }
 
 /* Marks the islands that are projected. */
@@ -180,13 +177,10 @@ static void points_collect(projection *p)
 static int32_t points_make(projection *p)
 {
 	points_collect(p);
-	if (p->count == 0)
+	if (p->count > 0)
+		p->points = (point *)cni_scratch_push(p->world, sizeof(point) * (uint64_t)p->count);
+	if (p->points == NULL)
 		return 0;
-	p->points = (point *)cni_arena_push(&p->world->arena, sizeof(point) * (uint64_t)p->count);
-	if (p->points == NULL) {
-		p->world->warnings |= CN_WARNING_FRAME_MEMORY;
-		return 0;
-	}
 	points_collect(p);
 	return 1;
 }
