@@ -84,18 +84,6 @@ static int32_t islands_are_many(const cn_world *world)
 	return world->island_used > world->awake_count;
 }
 
-static void rest_times_clear(const cn_world *world)
-{
-	int32_t k, many = islands_are_many(world);
-	for (k = 0; k < world->island_used && !many; ++k)
-		cni_island_at(world, k)->rest_time = FLT_MAX;
-	for (k = 1; k < world->awake_count && many; ++k) {
-		const cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
-		if (b->island != CNI_NONE)
-			cni_island_at(world, b->island)->rest_time = FLT_MAX;
-	}
-}
-
 /* Is the body so slow that it moves by less than the accuracy in a second? */
 static int32_t is_still(const cn_world *world, const cni_body *b)
 {
@@ -103,13 +91,12 @@ static int32_t is_still(const cn_world *world, const cni_body *b)
 	return b->vx * b->vx + b->vy * b->vy <= most * most && turn * turn <= most * most;
 }
 
-/* Also computes each awake island's rest_time; that of sleeping islands is FLT_MAX where it is read. */
+/* Also computes each awake island's rest_time. */
 static rests rests_find(cn_world *world)
 {
 	const int32_t *ids = cni_awake_ids(world);
 	rests r = { CNI_NONE, world->settings.sleep_delay, 0 };
 	int32_t k;
-	rest_times_clear(world);
 	for (k = 1; k < world->awake_count; ++k) {
 		const cni_body *b = cni_body_at(world, ids[k]);
 		cni_island *i;
@@ -120,7 +107,8 @@ static rests rests_find(cn_world *world)
 			continue;
 		}
 		i = cni_island_at(world, b->island);
-		i->rest_time = cni_min(i->rest_time, b->sleep_time);
+		i->rest_time = i->rest_step == world->step_count + 1u ? cni_min(i->rest_time, b->sleep_time) : b->sleep_time;
+		i->rest_step = world->step_count + 1u;
 		if (i->projected_step == world->step_count + 1u)
 			i->rest_time = 0.0f; /* step/overlap_projection.c */
 		if (CNI_HAS_DIRECT && cni_island_is_unsolved(i, world->step_count) && !is_still(world, b))
@@ -165,7 +153,7 @@ static int32_t some_island_may_sleep(const cn_world *world)
 	int32_t k;
 	for (k = 0; k < world->island_used; ++k) {
 		const cni_island *i = cni_island_at(world, k);
-		if (i->rest_time < FLT_MAX && island_may_sleep(world, i))
+		if (i->rest_step == world->step_count + 1u && island_may_sleep(world, i))
 			return 1;
 	}
 	return 0;
