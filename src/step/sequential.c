@@ -1,14 +1,7 @@
 /*
  * step/sequential.c - the sequential solver: the twelve steps of the paper "Custom 2D Physics Library", in its order, over the
  * same tables, narrowphase and events as the soft step. One pass a step, no warm start, no substeps. It is the baseline of the
- * accuracy charts.
- *
- *    1 velocities         v += dt (g + F/m)                        7 velocity response   contact impulses
- *    2 positions          x += dt v                                8 position response   half of the overlap each
- *    3 constraints        on single bodies                         9 joints
- *    4 prepare            boxes at the new poses                  10 AABBs
- *    5 broadphase         new pairs                               11 velocity limit
- *    6 narrowphase        manifolds                               12 sleep
+ * accuracy charts. step.c calls the steps by their numbers.
  *
  * Beyond the paper, the continuous collision of the soft step guards the moves of 2 and 8, and bodies that 8 pushed deep into static ones
  * come out again: neighbours would push bodies through the ground.
@@ -21,7 +14,6 @@
 #include "step/stages.h"
 #include "narrowphase/narrowphase.h"
 #include "joints/joints.h"
-#include "step/sequential.h"
 
 /* ---- 1, 2: motion ---- */
 

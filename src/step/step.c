@@ -8,7 +8,6 @@
 #include "direct/direct.h"
 #include "contacts/contacts.h"
 #include "base/clock.h"
-#include "step/sequential.h"
 #include "linear/sparse.h"
 #include "step/step.h"
 
@@ -219,7 +218,7 @@ static int32_t step_soft(cn_world *world, float dt, uint64_t *mark)
 	return rested;
 }
 
-/* The paper's twelve steps, numbered as in step/sequential.c; 12 is in cni_step. */
+/* The paper's twelve steps, numbered as in src/README.md; 12 is in cni_step. */
 static int32_t step_sequential(cn_world *world, float dt, uint64_t *mark)
 {
 	cn_profile *profile = &world->profile;
