@@ -124,7 +124,6 @@ static void blocks_list(cn_world *world)
 
 /* ---- lanes ---- */
 
-/* Neighbouring joints often have equal springs. */
 static cni_soft spring_soft(cni_lane_spring *g, float hertz, float damping_ratio, float h)
 {
 	if (hertz != g->hertz || damping_ratio != g->damping_ratio) {

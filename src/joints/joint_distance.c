@@ -8,30 +8,25 @@
 #include "joints/joint_row.h"
 
 /* d/dt |d| = axis . (vb + wb x rb - va - wa x ra) */
-static cni_row axis_row(const cni_joint_frame *f, uint8_t kind, uint8_t slot, float sign, float *out_length)
-{
-	return cni_row_along(f, cni_distance_axis(f->d, out_length), f->ra, kind, slot, sign);
-}
-
 static int32_t distance_rows(const cni_joint *j, const cni_joint_frame *f, cni_row *rows)
 {
 	int32_t count = 0;
 	float length;
+	cni_vec2 axis = cni_distance_axis(f->d, &length);
 	if (!(j->flags & (CN_JOINT_SPRING | CN_JOINT_LIMIT))) {
-		rows[0] = axis_row(f, CNI_ROW_RIGID, 0, 1.0f, &length);
+		rows[0] = cni_row_along(f, axis, f->ra, CNI_ROW_RIGID, 0, 1.0f);
 		rows[0].error = length - j->p[CNI_P_LENGTH];
 		return 1;
 	}
 	if (j->flags & CN_JOINT_SPRING) {
-		cni_row r = axis_row(f, CNI_ROW_SPRING, 1, 1.0f, &length);
+		cni_row r = cni_row_along(f, axis, f->ra, CNI_ROW_SPRING, 1, 1.0f);
 		rows[count++] = cni_row_spring(r, length - j->p[CNI_P_LENGTH], j->p[CNI_P_DISTANCE_HERTZ], j->p[CNI_P_DISTANCE_DAMPING]);
 	}
-	length = cni_length(f->d);
 	if (j->flags & CN_JOINT_MOTOR)
-		rows[count++] = cni_row_motor(axis_row(f, CNI_ROW_MOTOR, 2, 1.0f, &length), j, length, j->flags & CN_JOINT_LIMIT);
+		rows[count++] = cni_row_motor(cni_row_along(f, axis, f->ra, CNI_ROW_MOTOR, 2, 1.0f), j, length, j->flags & CN_JOINT_LIMIT);
 	if (j->flags & CN_JOINT_LIMIT) {
 		float room, sign = cni_limit_side(length, j->p[CNI_P_LOWER], j->p[CNI_P_UPPER], &room);
-		rows[count] = axis_row(f, CNI_ROW_LIMIT, 3, sign, &length);
+		rows[count] = cni_row_along(f, axis, f->ra, CNI_ROW_LIMIT, 3, sign);
 		rows[count++].error = room;
 	}
 	return count;
@@ -41,7 +36,7 @@ static cni_row distance_speed_row(const cni_joint *j, const cni_joint_frame *f)
 {
 	float length;
 	(void)j;
-	return axis_row(f, CNI_ROW_MOTOR, 2, 1.0f, &length);
+	return cni_row_along(f, cni_distance_axis(f->d, &length), f->ra, CNI_ROW_MOTOR, 2, 1.0f);
 }
 
 const cni_joint_type cni_joint_distance = { distance_rows, cni_joint_position_distance, distance_speed_row, 0 };

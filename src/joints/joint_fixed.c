@@ -11,10 +11,7 @@ static int32_t fixed_rows(const cni_joint *j, const cni_joint_frame *f, cni_row 
 {
 	int32_t soft = j->p[CNI_P_HERTZ] > 0.0f;
 	cni_rows_point(f, f->ra, f->d, CNI_ROW_RIGID, rows);
-	rows[2] = cni_row_angular(soft ? CNI_ROW_SOFT : CNI_ROW_RIGID, 2, 1.0f, 1.0f);
-	rows[2].error = f->angle;
-	rows[2].hertz = j->p[CNI_P_HERTZ];
-	rows[2].damping_ratio = j->p[CNI_P_DAMPING];
+	rows[2] = cni_row_spring(cni_row_angular(soft ? CNI_ROW_SOFT : CNI_ROW_RIGID, 2, 1.0f, 1.0f), f->angle, j->p[CNI_P_HERTZ], j->p[CNI_P_DAMPING]);
 	rows[2].limit = j->torque_max;
 	return 3;
 }

@@ -8,15 +8,9 @@
 
 static cni_row across_row(const cni_joint *j, const cni_joint_frame *f, cni_vec2 across)
 {
-	float x = cni_dot(across, f->d), tolerance = j->p[CNI_P_LINE_TOLERANCE], room, sign;
-	cni_row r;
-	if (tolerance == 0.0f) {
-		r = cni_row_fixed_direction(f, across, CNI_ROW_RIGID, 0, 1.0f);
-		r.error = x;
-		return r;
-	}
-	sign = cni_limit_side(x, -tolerance, tolerance, &room);
-	r = cni_row_fixed_direction(f, across, CNI_ROW_LIMIT, 0, sign);
+	float x = cni_dot(across, f->d), tolerance = j->p[CNI_P_LINE_TOLERANCE], room = x;
+	float sign = tolerance != 0.0f ? cni_limit_side(x, -tolerance, tolerance, &room) : 1.0f;
+	cni_row r = cni_row_fixed_direction(f, across, tolerance != 0.0f ? CNI_ROW_LIMIT : CNI_ROW_RIGID, 0, sign);
 	r.error = room;
 	return r;
 }
