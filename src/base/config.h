@@ -127,7 +127,8 @@
 #define CNI_ALIGNED(bytes)
 #endif
 
-/* Hint that memory is read soon; changes no result. Small builds are for processors without a cache. */
+/* Hint that memory is read soon; changes no result. Small builds are for processors without a cache. Functions that only prefetch are forced
+   inline: compilers take them for functions without effect, and drop their calls. */
 #if defined(__GNUC__) && !defined(CN_SMALL_BLOCKS)
 #define CNI_PREFETCH(address) __builtin_prefetch(address)
 #else

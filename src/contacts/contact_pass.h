@@ -62,7 +62,6 @@ typedef int32_t cni_contact_impact_fn(const cni_impact_pass *pass, const cni_imp
 /* Passes ask early for memory where this many bodies are awake: those of fewer, and their blocks, are in the cache anyway. */
 #define CNI_PREFETCH_BODIES 16384
 
-/* Forced inline: compilers take a function that only prefetches for one without effect, and drop its calls. */
 CNI_INLINE void cni_lines_prefetch(const void *from, int32_t bytes)
 {
 	int32_t at;
@@ -70,7 +69,7 @@ CNI_INLINE void cni_lines_prefetch(const void *from, int32_t bytes)
 		CNI_PREFETCH((const char *)from + at);
 }
 
-/* Prefetches the rows of the block after the next, and the bodies of the next. Forced inline as above. */
+/* Prefetches the rows of the block after the next, and the bodies of the next. */
 CNI_INLINE void cni_blocks_prefetch(const cni_color_pass *c, int32_t k, int32_t end)
 {
 	int32_t l;

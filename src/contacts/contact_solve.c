@@ -92,7 +92,7 @@ static cni_listed_block listed_of(const cn_world *world, int32_t block, int32_t 
 }
 
 /* A colour's blocks form a linked list, and a link outside the cache stalls. This prefetches all links, unless few of the allocated
-   blocks are in use. Forced inline: compilers take a function that only prefetches for one without effect, and drop its calls. */
+   blocks are in use. */
 CNI_INLINE void infos_prefetch(const cn_world *world)
 {
 	int32_t block;

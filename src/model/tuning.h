@@ -56,8 +56,7 @@ CNI_TUNING_FLOAT(CNI_OVERLAP_FROM, 0.5f)
 CNI_TUNING_FLOAT(CNI_OVERLAP_LEFT, 0.2f)
 /* Part of an overlap that a step projects, of at most a slop. */
 CNI_TUNING_FLOAT(CNI_OVERLAP_PART, 0.2f)
-/* Limit of the part by which they follow in a substep, times h stress^2; see model/solve.h. A pyramid of base 100 (stress 25) comes
-   to rest at 0.1 and sways on at 0.3. */
+/* Limit of the part by which they follow in a substep, times h stress^2; see model/solve.h. */
 CNI_TUNING_FLOAT(CNI_LOAD_HEAVY, 0.1f)
 /* Length units per second squared. What loads of contacts are compared with in a world without gravity; see step/solve_make.c. */
 CNI_TUNING_FLOAT(CNI_STANDARD_GRAVITY, 10.0f)

@@ -200,8 +200,7 @@ static void body_boxes_follow(const pose_loop *loop, int32_t k, int32_t no_room)
 		loop->set[k] = set;
 }
 
-/* Asks for what checking the boxes of some near bodies (bits from begin on) reads: first all shapes, then all that these lead to.
-   Forced inline: compilers treat a function that only prefetches as having no effect. */
+/* Asks for what checking the boxes of some near bodies (bits from begin on) reads: first all shapes, then all that these lead to. */
 CNI_INLINE void boxes_prefetch(const cn_world *world, int32_t begin, uint64_t bodies)
 {
 	uint64_t left;
