@@ -60,15 +60,6 @@ static void lane_write_material(cn_world *world, const cni_contact *c, cni_conta
 		info->flags |= CNI_BLOCK_EXTRA;
 }
 
-/* Friction acts on the contact line, at the mean height of the points along the normal: one row is exact in 2D if the points share that
-   line. */
-static void lane_write_friction(cni_contact_block *block, uint32_t lane, float fa, float fb, float inv_mass, float ia, float ib)
-{
-	block->fa[lane] = fa;
-	block->fb[lane] = fb;
-	block->tm[lane] = cni_inverse_or_zero(inv_mass + ia * fa * fa + ib * fb * fb);
-}
-
 /* Rounding radius of the shape of a lane's first body. */
 static float lane_radius(const cn_world *world, const cni_contact *c)
 {
@@ -249,7 +240,7 @@ void cni_contact_write(cn_world *world, cni_contact *c, const cni_body *a, const
 	cni_vec2 normal = cni_rotate(a->q, manifold->normal);
 	lane_frame f = frame_make(a, b, flipped, normal);
 	lane_mass m = lane_mass_of(world, &f);
-	float radius_a = radius[flipped], fa = 0.0f, ahead, dn, dt;
+	float radius_a = radius[flipped], fa = 0.0f, fb, ahead, dn, dt;
 	const old_point first = old_point_take(c, block, 0, lane), second = old_point_take(c, block, 1, lane), none = { 0, 0.0f, 0.0f };
 	gap = cni_rotate(a->q, gap);
 	ahead = cni_dot(gap, normal);
@@ -289,7 +280,11 @@ void cni_contact_write(cn_world *world, cni_contact *c, const cni_body *a, const
 		block->jt[lane] = 0.0f;
 	if (manifold->count == 2)
 		fa *= 0.5f;
-	lane_write_friction(block, lane, fa, fa - dn, m.t, m.ia, m.ib);
+	/* Friction acts on the contact line, at the mean height of the points along the normal: one row is exact in 2D if the points share it. */
+	fb = fa - dn;
+	block->fa[lane] = fa;
+	block->fb[lane] = fb;
+	block->tm[lane] = cni_inverse_or_zero(m.t + m.ia * fa * fa + m.ib * fb * fb);
 	if ((c->flags & CNI_CONTACT_REFRESH) || f.locks || (info->flags & CNI_BLOCK_EXTRA))
 		lane_write_rare(world, c, &f, &m);
 	anchor_write(world, c, block, info, &f, manifold->count, ahead);

@@ -84,14 +84,8 @@ static cni_body *lane_body(const cn_world *world, const cni_contact *c, int32_t 
 
 static int32_t color_choose(const cni_body *a, const cni_body *b)
 {
-	uint32_t dynamic_colors = (1u << CNI_COLOR_STATIC) - 1u, used, open;
-	if (b->type == CN_BODY_DYNAMIC) {
-		used = a->colors | b->colors;
-		open = ~used & dynamic_colors;
-	} else {
-		used = a->colors;
-		open = ~used & ~dynamic_colors & ~(1u << CNI_COLOR_OVERFLOW);
-	}
+	uint32_t dynamic_colors = (1u << CNI_COLOR_STATIC) - 1u, static_colors = ((1u << CNI_COLOR_OVERFLOW) - 1u) & ~dynamic_colors;
+	uint32_t open = b->type == CN_BODY_DYNAMIC ? dynamic_colors & ~(a->colors | b->colors) : static_colors & ~a->colors;
 	return open != 0 ? cni_bit_lowest32(open) : CNI_COLOR_OVERFLOW;
 }
 

@@ -50,11 +50,6 @@ typedef struct correction {
 	float inertia; /* I' */
 } correction;
 
-static cni_vec2 center_of(const cni_body *b, const cni_body *first)
-{
-	return cni_v((b->cx - first->cx) + (b->cx_low - first->cx_low), (b->cy - first->cy) + (b->cy_low - first->cy_low));
-}
-
 /* Are there joints, or contacts between two movable bodies? */
 static int32_t has_pairs(const cn_world *world)
 {
@@ -226,7 +221,7 @@ static void means_find(const cn_world *world, const body_group *p, correction *t
 		if (k + RECORDS_AHEAD < p->count)
 			record_prefetch(world, p->bodies[k + RECORDS_AHEAD]);
 		t->mass += mass;
-		t->center = cni_madd(t->center, mass, center_of(b, first));
+		t->center = cni_madd(t->center, mass, cni_body_a_to_b(first, b));
 		t->moved = cni_madd(t->moved, mass, cni_v(m->dpx, m->dpy));
 		t->speed = cni_madd(t->speed, mass, cni_v(b->vx, b->vy));
 		t->change = cni_madd(t->change, mass, cni_v(m->vx - b->vx, m->vy - b->vy));
@@ -251,7 +246,7 @@ static void lost_find(const cn_world *world, const body_group *p, correction *t)
 		const cni_body *b = body_at(world, p->bodies[k]);
 		const cni_motion *m = cni_motions(world) + p->bodies[k];
 		float mass = 1.0f / m->inv_mass, inertia = 1.0f / m->inv_inertia;
-		cni_vec2 r = cni_sub(center_of(b, first), t->center), dr = arm_change(t, m);
+		cni_vec2 r = cni_sub(cni_body_a_to_b(first, b), t->center), dr = arm_change(t, m);
 		cni_vec2 du = cni_sub(cni_v(m->vx - b->vx, m->vy - b->vy), t->change);
 		cni_vec2 u = cni_add(cni_sub(cni_v(b->vx, b->vy), t->speed), du);
 		t->lost += mass * (cni_cross(r, du) + cni_cross(dr, u)) + inertia * (m->w - b->w);
@@ -267,7 +262,7 @@ static void correction_apply(const cn_world *world, const body_group *p, const c
 	for (k = 0; k < p->count; ++k) {
 		const cni_body *b = body_at(world, p->bodies[k]);
 		cni_motion *m = cni_motions(world) + p->bodies[k];
-		cni_vec2 r = cni_add(cni_sub(center_of(b, first), t->center), arm_change(t, m));
+		cni_vec2 r = cni_add(cni_sub(cni_body_a_to_b(first, b), t->center), arm_change(t, m));
 		m->vx -= w * r.y;
 		m->vy += w * r.x;
 		m->w += w;
