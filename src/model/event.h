@@ -41,7 +41,6 @@ typedef struct cni_events {
 	cni_array pending[CN_EVENT_KINDS];
 	cni_array seen[CN_EVENT_KINDS];     /* cn_contact_event */
 	int32_t built[CN_EVENT_KINDS];
-	int32_t in_step;                    /* 1 while a step runs: events go to log[], else to pending[] */
 	cn_contact_event_fn *callback[CN_EVENT_KINDS];
 	void *callback_user[CN_EVENT_KINDS];
 	cni_array sensor_log;               /* cn_sensor_event of the last step */
@@ -51,7 +50,7 @@ typedef struct cni_events {
 	cni_array moved;                    /* cn_body_moved, built on request */
 	cni_array asleep;                   /* cn_body that fell asleep in the last step */
 	int32_t moved_built;
-	int32_t reserved;
+	int32_t in_step;                    /* 1 while a step runs: events go to log[], else to pending[] */
 } cni_events;
 
 /* The arrays that were built from the logs are void. */

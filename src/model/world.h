@@ -153,7 +153,7 @@ struct cn_world {
 	int32_t joint_blocks_of[CNI_JOINT_COLORS]; /* blocks of each colour, in a step */
 	cni_lanes_kept joint_lanes;  /* lanes that the next step may reuse */
 	int32_t joint_plain_first;   /* joint constraints that are solved by rows, linked by next_plain; CNI_NONE */
-	int32_t reserved_plain;
+	uint32_t joints_soft_step;   /* some joints are soft until this step: direct/rattle.c */
 
 	/* islands */
 	cni_table islands;           /* cni_island */
@@ -162,13 +162,11 @@ struct cn_world {
 	int32_t island_count;
 	uint32_t split_step;         /* no island is split before this step */
 
-	uint32_t joints_soft_step;   /* some joints are soft until this step: direct/rattle.c */
 	uint16_t projects;           /* 1: the last step projected overlaps of some island: step/overlap_projection.c */
 	uint16_t settled;            /* 1: at the end of the last step some body had been slow for the sleep delay */
 	int32_t piles_new;           /* 1: in this step a contact got its first load */
 	int32_t piles_unheld;        /* 1: in the last step the gravity preload of some island failed */
 	int32_t solvers_asked;       /* 1: in the last step some awake island had a body or joint with its own solver */
-	int32_t reserved_islands;
 	cni_array direct_islands;    /* int32_t: directly solved islands, see direct/solver_selection.c */
 	int32_t direct_work;         /* work planned in the last step, substeps included; 0: nothing was solved directly */
 	int32_t direct_failed;       /* 1: direct solving ran out of memory */

@@ -40,7 +40,7 @@ static const cni_field world_fields[] = {
 	D(step_islands), D(step_island_count), D(kicked), D(previous), D(reserved_time), D(shape_handles), D(shapes), D(proxies), D(broadphase_ops),
 	D(broadphase), D(pairs), D(vertex_capacity), D(contacts), D(apart), D(blocks_hot), D(blocks_info), D(blocks_anchor), D(blocks_extra), D(block_list),
 	D(sleep_lanes), D(joint_handles), D(joints), D(awake_joints), D(joint_work), D(joint_blocks), D(joint_blocks_of), D(joint_lanes),
-	D(joint_plain_first), D(reserved_plain), D(islands), D(reserved_islands), D(direct_islands), D(set_work),
+	D(joint_plain_first), D(islands), D(direct_islands), D(set_work),
 	D(direct_plans), D(filter), D(filter_user), D(pre_solve), D(pre_solve_user), D(material_mix), D(material_mix_user), D(events), D(profile), D(areas),
 	D(readback), D(readback_kept), D(readback_asked), D(sums), D(sums_count), D(sums_active), D(event_capacity), D(error)
 };
