@@ -258,8 +258,8 @@ static float box_room(const cni_aabb *outer, const cni_aabb *inner)
 	return cni_min(x, y);
 }
 
-/* Result for a proxy's box. _AHEAD: the box covers the way ahead. */
-enum { BOX_STAYS, BOX_STAYS_AHEAD, BOX_LEAVES, BOX_LEAVES_AHEAD };
+/* Result for a proxy's box, as bits. _AHEAD: the box covers the way ahead. */
+enum { BOX_STAYS = 0, BOX_AHEAD = 1, BOX_LEAVES = 2 };
 
 /* Compares a proxy's box with the shape's box now and after the way ahead. BOX_LEAVES: *fat is the new box. *room: distance by which
    the resulting box encloses the shape, now and ahead. */
@@ -281,16 +281,14 @@ static int32_t box_leaves(const cn_world *world, const cni_body *b, const cni_sh
 		if (!reaches || box_room(now, &box) <= rounding)
 			return BOX_STAYS;
 		*room = box_room(now, &box) - rounding;
-		return BOX_STAYS_AHEAD;
+		return BOX_AHEAD;
 	}
 	if (reaches && b->lanes == 0 && CNI_ON(FAT_BOXES))
 		box = box_stretch(box, cni_mul(CNI_BOX_FLIGHT_STEPS, ahead));
 	*fat = cni_box_fatten(box, margin);
 	*room = margin - rounding;
-	return reaches ? BOX_LEAVES_AHEAD : BOX_LEAVES;
+	return reaches ? BOX_LEAVES | BOX_AHEAD : BOX_LEAVES;
 }
-
-static int32_t covers_ahead(int32_t what) { return what == BOX_LEAVES_AHEAD || what == BOX_STAYS_AHEAD; }
 
 int32_t cni_body_boxes_set(const cn_world *world, cni_body *b, cni_vec2 ahead, cn_world *tell)
 {
@@ -305,8 +303,8 @@ int32_t cni_body_boxes_set(const cn_world *world, cni_body *b, cni_vec2 ahead, c
 		for (child = 0; child < cni_shape_children(&world->blocks, s); ++child) {
 			int32_t what = box_leaves(world, b, s, child, &x, ahead, &fat, &one), proxy = cni_shape_proxy(world, s, child);
 			room = cni_min(room, one);
-			reaches &= covers_ahead(what);
-			if (what < BOX_LEAVES)
+			reaches &= what; /* BOX_AHEAD */
+			if (!(what & BOX_LEAVES))
 				continue;
 			set = set == CNI_BOXES_NONE ? proxy : CNI_BOXES_SEVERAL;
 			cni_proxy_set_fat(cni_proxy_at(world, proxy), &fat);
