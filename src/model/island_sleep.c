@@ -18,15 +18,11 @@ static int32_t first_of(const cn_world *world, int32_t body)
 
 /* ---- waking ---- */
 
+static int32_t is_held_back(const cni_body *b) { return b->type == CN_BODY_DYNAMIC && b->awake == 0; }
+
 static int32_t contact_may_solve(const cn_world *world, const cni_contact *c)
 {
-	int32_t side;
-	for (side = 0; side < 2; ++side) {
-		const cni_body *b = cni_body_at(world, c->body[side]);
-		if (b->type == CN_BODY_DYNAMIC && b->awake == 0)
-			return 0;
-	}
-	return 1;
+	return !is_held_back(cni_body_at(world, c->body[0])) && !is_held_back(cni_body_at(world, c->body[1]));
 }
 
 static void wake_links_of(cn_world *world, int32_t body)
@@ -217,14 +213,12 @@ static void sleep_lanes_of(cn_world *world, int32_t body)
 static void leave_lists_of(cn_world *world, int32_t body)
 {
 	const cni_body *b = cni_body_at(world, body);
-	int32_t key, side;
+	int32_t key;
 	for (key = b->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1])
 		if (cni_body_at(world, cni_contact_of_key(world, key)->body[1 - (key & 1)])->awake == 0)
 			cni_contact_leave_apart_list(world, key >> 1);
 	for (key = b->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1]) {
-		int32_t other;
-		side = key & 1;
-		other = cni_joint_at(world, key >> 1)->body[1 - side];
+		int32_t other = cni_joint_at(world, key >> 1)->body[1 - (key & 1)];
 		if (other == CNI_NONE || cni_body_at(world, other)->awake == 0)
 			cni_joint_leave_awake_list(world, key >> 1);
 	}

@@ -130,10 +130,8 @@ void cni_poses_take(cn_world *world)
 {
 	int32_t k;
 	for (k = 1; k < world->awake_count; ++k) {
-		cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
-		cni_motion *m = cni_motions(world) + k;
-		take_pose(world, cni_awake_ids(world)[k], m);
-		(void)cni_body_boxes_set(world, b, cni_v(0.0f, 0.0f), world);
+		take_pose(world, cni_awake_ids(world)[k], cni_motions(world) + k);
+		(void)cni_body_boxes_set(world, cni_body_at(world, cni_awake_ids(world)[k]), cni_v(0.0f, 0.0f), world);
 	}
 }
 
