@@ -56,7 +56,6 @@ static void color_range(void *context, int32_t begin, int32_t end, int32_t worke
 	loop->run(&loop->c, begin, end);
 }
 
-/* Without a team, one call covers all blocks that are adjacent in the list, whatever their colours. */
 static void colors_run(cn_world *world, const cni_solve *s, int32_t which)
 {
 	const cni_listed_block *list = (const cni_listed_block *)world->block_list.data;

@@ -202,19 +202,9 @@ static void overflow_sweep(color_sweep *c, int32_t count)
 
 static uint32_t sweep(cn_world *world, const cni_solve *s, int32_t number)
 {
-	color_sweep c;
+	const cni_impact_pass pass = { cni_motions(world), cni_starts(world), cni_externals(world), s->h, s->restitution_threshold, HIT_MARK(number), 0, NULL };
+	color_sweep c = { world, s->kernel, pass, number == 0 ? 0.0f : HIT_MARK(number - 1), NULL, 0 };
 	int32_t color;
-	c.world = world;
-	c.kernel = s->kernel;
-	c.pass.motions = cni_motions(world);
-	c.pass.starts = cni_starts(world);
-	c.pass.externals = cni_externals(world);
-	c.pass.h = s->h;
-	c.pass.speed = s->restitution_threshold;
-	c.pass.jumped = HIT_MARK(number);
-	c.pass.record = NULL;
-	c.since = number == 0 ? 0.0f : HIT_MARK(number - 1);
-	c.hits = 0;
 	for (color = 0; color < CNI_COLOR_OVERFLOW; ++color) {
 		c.pass.one_sided = color >= CNI_COLOR_STATIC;
 		c.blocks = cni_listed_blocks(world, color);

@@ -302,29 +302,6 @@ void cni_contact_write_empty(cn_world *world, int32_t contact)
 	cni_lane_invalidate(world, c->slot);
 }
 
-/* One lane's rows without the body indices, in a block or in the sleep store. */
-typedef struct lane_rows {
-	const float *first;
-	int32_t stride;
-} lane_rows;
-
-static lane_rows lane_rows_of(const cn_world *world, const cni_contact *c)
-{
-	lane_rows rows = { NULL, 1 };
-	if (!CNI_SLEEP_IN_BLOCKS && (c->flags & CNI_CONTACT_ASLEEP)) {
-		rows.first = ((const cni_sleep_lane *)world->sleep_lanes.data)[c->slot].rows;
-		return rows;
-	}
-	rows.first = (const float *)(const void *)cni_block_at(world, c->slot / CNI_LANES) + 2 * CNI_LANES + c->slot % CNI_LANES;
-	rows.stride = CNI_LANES;
-	return rows;
-}
-
-static float row_read(lane_rows rows, int32_t row)
-{
-	return rows.first[row * rows.stride];
-}
-
 /* Row indices: see cni_contact_block. */
 enum { ROW_NX = 0, ROW_NY = 1, ROW_DT = 5, ROW_FA = 6, ROW_FB = 7, ROW_JT = 9, ROW_POINT = 10, ROW_POINT_COUNT = 6 };
 
@@ -340,32 +317,71 @@ static cni_vec2 lane_normal(const cn_world *world, const cni_contact *c)
 	return cni_rotate(cni_body_at(world, c->body[flipped ^ of_b])->q, cni_v(anchor->x.nx[l], anchor->ny[l]));
 }
 
+static void extra_to_sleep(const cn_world *world, const cni_contact *c, cni_sleep_lane *s)
+{
+	const float *rows = (const float *)(const void *)cni_block_extra_at(world, c->slot / CNI_LANES);
+	int32_t row;
+	for (row = 0; row < CNI_SLEEP_EXTRA_ROWS; ++row)
+		s->extra[row] = rows != NULL ? rows[row * CNI_LANES + c->slot % CNI_LANES] : 0.0f;
+	if (!cni_sleep_lane_needs_extra(s))
+		memset(s->extra, 0, sizeof s->extra);
+}
+
+/* Copies of a lane's rows and of what is beside them. The normal is the true one: a pile at rest has leaned as far as it will. */
+static void lane_read(const cn_world *world, int32_t contact, cni_sleep_lane *s)
+{
+	const cni_contact *c = cni_contact_at(world, contact);
+	int32_t block = c->slot / CNI_LANES, l = c->slot % CNI_LANES, row;
+	const float *rows = (const float *)(const void *)cni_block_at(world, block) + l;
+	cni_vec2 n = lane_normal(world, c);
+	for (row = 0; row < CNI_SLEEP_ROWS; ++row)
+		s->rows[row] = rows[(row + 2) * CNI_LANES];
+	s->rows[ROW_NX] = n.x;
+	s->rows[ROW_NY] = n.y;
+	s->restitution = cni_block_info_at(world, block)->restitution[l];
+	extra_to_sleep(world, c, s);
+	s->contact = contact;
+}
+
+/* The contact's rows with its true normal: where it sleeps, or copied. */
+static const float *rows_of(const cn_world *world, int32_t contact, cni_sleep_lane *copy)
+{
+	const cni_contact *c = cni_contact_at(world, contact);
+	if (!CNI_SLEEP_IN_BLOCKS && (c->flags & CNI_CONTACT_ASLEEP))
+		return ((const cni_sleep_lane *)world->sleep_lanes.data)[c->slot].rows;
+	lane_read(world, contact, copy);
+	return copy->rows;
+}
+
 /* A lane describes the beginning of the step. The distance by which its anchors on the two bodies have separated since is the change of
    separation along n; the point stays midway and moves by half of it. Turning is ignored. Reported is the normal along which impulses act. */
-static void describe_manifold(const cn_world *world, const cni_contact *c, cn_manifold *out)
+static void describe_manifold(const cn_world *world, int32_t contact, cn_manifold *out)
 {
+	const cni_contact *c = cni_contact_at(world, contact);
+	const cni_contact_block *block = cni_contact_has_lane(c) ? cni_block_at(world, c->slot / CNI_LANES) : NULL;
+	cni_sleep_lane copy;
+	const float *rows = rows_of(world, contact, &copy);
 	int32_t flipped = (c->flags & CNI_CONTACT_FLIPPED) != 0, k;
 	lane_frame f;
-	lane_rows rows = lane_rows_of(world, c);
 	float radius = lane_radius(world, c), gap = cni_contact_gap(world, c), moved_n, moved_t;
-	cni_vec2 push = cni_v(row_read(rows, ROW_NX), row_read(rows, ROW_NY)), n, t, middle;
-	n = c->flags & CNI_CONTACT_ASLEEP ? push : lane_normal(world, c);
-	t = cni_right_perp(n);
+	cni_vec2 n = cni_v(rows[ROW_NX], rows[ROW_NY]), push = n, t = cni_right_perp(n), middle;
+	if (block != NULL)
+		push = cni_v(block->nx[c->slot % CNI_LANES], block->ny[c->slot % CNI_LANES]);
 	f = frame_make(cni_body_at(world, c->body[0]), cni_body_at(world, c->body[1]), flipped, flipped ? cni_neg(n) : n);
-	moved_n = cni_dot(f.d, n) - (row_read(rows, ROW_FA) - row_read(rows, ROW_FB));
-	moved_t = cni_dot(f.d, t) - row_read(rows, ROW_DT);
+	moved_n = cni_dot(f.d, n) - (rows[ROW_FA] - rows[ROW_FB]);
+	moved_t = cni_dot(f.d, t) - rows[ROW_DT];
 	middle = cni_madd(cni_madd(cni_v(f.a->cx, f.a->cy), 0.5f * moved_n, n), 0.5f * moved_t, t);
 	out->normal = flipped ? cni_neg(push) : push;
-	out->friction_impulse_Ns = row_read(rows, ROW_JT); /* n, t and the bodies all flip: the sign stays */
+	out->friction_impulse_Ns = rows[ROW_JT]; /* n, t and the bodies all flip: the sign stays */
 	for (k = 0; k < 2; ++k) {
-		int32_t p = ROW_POINT + k * ROW_POINT_COUNT; /* at an s0 nm jn load */
+		const float *p = rows + ROW_POINT + k * ROW_POINT_COUNT; /* at an s0 nm jn load */
 		cn_manifold_point *point = &out->points[out->point_count];
-		cni_vec2 r = cni_add(cni_mul(row_read(rows, p), t), cni_mul(row_read(rows, p + 1) + radius, n));
+		cni_vec2 r = cni_add(cni_mul(p[0], t), cni_mul(p[1] + radius, n));
 		if (c->id[k] == 0)
 			continue;
 		point->point_m = cni_add(middle, r);
-		point->separation_m = row_read(rows, p + 2) - gap + moved_n;
-		point->normal_impulse_Ns = row_read(rows, p + 4);
+		point->separation_m = p[2] - gap + moved_n;
+		point->normal_impulse_Ns = p[4];
 		point->feature_id = c->id[k];
 		++out->point_count;
 	}
@@ -387,7 +403,7 @@ void cni_contact_describe(const cn_world *world, int32_t contact, int32_t kind, 
 	out->material_a = cni_shape_material_id(&world->blocks, cni_shape_at(world, a->shape));
 	out->material_b = cni_shape_material_id(&world->blocks, cni_shape_at(world, b->shape));
 	if (c->flags & CNI_CONTACT_TOUCHING)
-		describe_manifold(world, c, &out->manifold);
+		describe_manifold(world, contact, &out->manifold);
 }
 
 /* Fills its place in the array with the last one. */
@@ -411,16 +427,6 @@ void cni_contact_sleep_lane_free(cn_world *world, cni_contact *c)
 	c->slot = CNI_NONE;
 }
 
-static void extra_to_sleep(const cn_world *world, const cni_contact *c, cni_sleep_lane *s)
-{
-	const float *rows = (const float *)(const void *)cni_block_extra_at(world, c->slot / CNI_LANES);
-	int32_t row;
-	for (row = 0; row < CNI_SLEEP_EXTRA_ROWS; ++row)
-		s->extra[row] = rows != NULL ? rows[row * CNI_LANES + c->slot % CNI_LANES] : 0.0f;
-	if (!cni_sleep_lane_needs_extra(s))
-		memset(s->extra, 0, sizeof s->extra);
-}
-
 static void sleep_to_extra(const cn_world *world, const cni_contact *c, const cni_sleep_lane *s)
 {
 	float *rows = (float *)(void *)cni_block_extra_at(world, c->slot / CNI_LANES);
@@ -431,22 +437,6 @@ static void sleep_to_extra(const cn_world *world, const cni_contact *c, const cn
 		rows[row * CNI_LANES + c->slot % CNI_LANES] = s->extra[row];
 	if (cni_sleep_lane_needs_extra(s))
 		cni_block_info_at(world, c->slot / CNI_LANES)->flags |= CNI_BLOCK_EXTRA;
-}
-
-/* Copies of a lane's rows and of what is beside them. The normal is the true one: a pile at rest has leaned as far as it will. */
-static void lane_read(const cn_world *world, int32_t contact, cni_sleep_lane *s)
-{
-	const cni_contact *c = cni_contact_at(world, contact);
-	int32_t block = c->slot / CNI_LANES, l = c->slot % CNI_LANES, row;
-	const float *rows = (const float *)(const void *)cni_block_at(world, block) + l;
-	cni_vec2 n = lane_normal(world, c);
-	for (row = 0; row < CNI_SLEEP_ROWS; ++row)
-		s->rows[row] = rows[(row + 2) * CNI_LANES];
-	s->rows[ROW_NX] = n.x;
-	s->rows[ROW_NY] = n.y;
-	s->restitution = cni_block_info_at(world, block)->restitution[l];
-	extra_to_sleep(world, c, s);
-	s->contact = contact;
 }
 
 static void lane_write(const cn_world *world, const cni_contact *c, const cni_sleep_lane *s)

@@ -237,7 +237,6 @@ static void pose_range(void *context, int32_t begin, int32_t end, int32_t worker
 		cni_atomic_add(&loop->rested, 1u);
 }
 
-/* Tells the broadphase of new boxes, in the order of the bodies. */
 static void boxes_tell(cn_world *world, const int32_t *set)
 {
 	int32_t k;
