@@ -110,9 +110,7 @@ static void open_range(void *context, int32_t begin, int32_t end, int32_t worker
 
 static void sums_run(cn_world *world, const cni_solve *s, cni_range_fn *run)
 {
-	sums_loop loop;
-	loop.world = world;
-	loop.from_starts = world->settings.solver != CN_SOLVER_SEQUENTIAL;
+	sums_loop loop = { world, world->settings.solver != CN_SOLVER_SEQUENTIAL };
 	if (world->sums_count > 0)
 		cni_team_for(s->team, world->sums_count, BLOCKS_A_RANGE, run, &loop);
 }
@@ -233,13 +231,9 @@ void cni_impulse_sums_close(cn_world *world, const cni_solve *s)
 static void lane_report(cn_world *world, const cni_block_sums *sums, int32_t l)
 {
 	int32_t contact = cni_block_info_at(world, sums->block)->contact[l];
-	cni_event_sums of;
+	cni_event_sums of = { sums->normal[l], sums->friction[l], sums->approach[l], (int32_t)(sums->struck >> l & 1u) };
 	if (contact == CNI_NONE)
 		return;
-	of.normal = sums->normal[l];
-	of.friction = sums->friction[l];
-	of.approach = sums->approach[l];
-	of.point = (int32_t)(sums->struck >> l & 1u);
 	cni_event_log_stay(world, contact, &of);
 	if (of.normal > 0.0f && of.approach > 0.0f && of.approach >= world->settings.hit_speed && (sums->hits >> l & 1u))
 		cni_event_log_hit(world, contact, &of);

@@ -56,11 +56,7 @@ typedef struct arms {
 
 CNI_INLINE arms arms_load(const cni_joint_block *k, int32_t l)
 {
-	arms r;
-	r.ax = cni_wide_load(k->ax + l);
-	r.ay = cni_wide_load(k->ay + l);
-	r.bx = cni_wide_load(k->bx + l);
-	r.by = cni_wide_load(k->by + l);
+	arms r = { cni_wide_load(k->ax + l), cni_wide_load(k->ay + l), cni_wide_load(k->bx + l), cni_wide_load(k->by + l) };
 	return r;
 }
 

@@ -12,16 +12,9 @@ const cni_body cni_body_none = { 0 };
 
 cn_velocity cni_body_velocity(const cn_world *world, const cni_body *b)
 {
-	cn_velocity v;
-	if (b->awake != 0) {
-		const cni_motion *m = cni_motions(world) + b->awake;
-		v.linear_mps = cni_v(m->vx, m->vy);
-		v.angular_radps = m->w;
-	} else {
-		v.linear_mps = cni_v(b->vx, b->vy);
-		v.angular_radps = b->w;
-	}
-	return v;
+	const cni_motion *m = cni_motions(world) + b->awake;
+	cn_velocity awake = { { m->vx, m->vy }, m->w }, asleep = { { b->vx, b->vy }, b->w };
+	return b->awake != 0 ? awake : asleep;
 }
 
 cni_vec2 cni_body_velocity_at(const cn_world *world, const cni_body *b, cni_vec2 point)
@@ -66,7 +59,7 @@ void cni_readback_store(cn_world *world, int32_t body)
 void cni_body_init(cn_world *world, int32_t body, const cn_body_def *def)
 {
 	cni_body *b = cni_body_at(world, body);
-	cn_velocity v;
+	cn_velocity v = { def->linear_velocity_mps, def->angular_velocity_radps };
 	memset(b, 0, sizeof *b);
 	b->cx = def->position_m.x;
 	b->cy = def->position_m.y;
@@ -83,8 +76,6 @@ void cni_body_init(cn_world *world, int32_t body, const cn_body_def *def)
 	b->shape_first = b->joint_first = b->contact_first = CNI_NONE;
 	b->user_data = def->user_data;
 	cni_readback_store(world, body);
-	v.linear_mps = def->linear_velocity_mps;
-	v.angular_radps = def->angular_velocity_radps;
 	if (def->type != CN_BODY_STATIC && (def->flags & CN_BODY_AWAKE)) /* what sleeps does not move */
 		cni_body_store_velocity(world, b, v);
 }

@@ -159,17 +159,12 @@ static inline cni_vec2 cni_body_origin(const cni_body *b)
 /* Maps the body's local frame to the world (high parts only). */
 static inline cni_transform cni_body_transform(const cni_body *b)
 {
-	cni_transform x;
-	x.q = b->q;
-	x.t = cni_body_origin(b);
+	cni_transform x = { b->q, cni_body_origin(b) };
 	return x;
 }
 static inline cn_pose cni_body_pose(const cni_body *b)
 {
-	cn_pose pose;
-	pose.position_m = cni_body_origin(b);
-	pose.cosine = b->q.c;
-	pose.sine = b->q.s;
+	cn_pose pose = { cni_body_origin(b), b->q.c, b->q.s };
 	return pose;
 }
 /* Lever arm from the centre of mass to a world point: high part first, then low, which keeps all digits far from the origin. */

@@ -20,15 +20,8 @@ int32_t cni_shape_store_material(cn_world *world, cni_shape *s, const cn_materia
 
 cn_material cni_shape_material(const cn_world *world, const cni_shape *s)
 {
-	cn_material m;
-	m.static_friction = s->static_friction;
-	m.dynamic_friction = s->dynamic_friction;
-	m.restitution = s->restitution;
-	m.rolling_resistance = s->rolling_resistance;
-	m.tangent_speed_mps = s->tangent_speed;
-	m.friction_mix = s->mix & 15;
-	m.restitution_mix = s->mix >> 4;
-	m.user_id = cni_shape_material_id(&world->blocks, s);
+	cn_material m = { s->static_friction, s->dynamic_friction, s->restitution, s->rolling_resistance, s->tangent_speed, s->mix & 15, s->mix >> 4,
+		cni_shape_material_id(&world->blocks, s) };
 	return m;
 }
 

@@ -285,11 +285,9 @@ static void groups_restore(const body_groups *p)
 {
 	int32_t k, begin = 0;
 	for (k = 1; k < p->world->awake_count; ++k) {
-		body_group one;
+		const body_group one = { p->bodies + begin, p->end[k] - begin };
 		if (p->root[k] != k)
 			continue;
-		one.bodies = p->bodies + begin;
-		one.count = p->end[k] - begin;
 		begin = p->end[k];
 		group_restore(p->world, &one);
 	}

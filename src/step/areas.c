@@ -261,11 +261,9 @@ static void body_accelerate(const visits *v, int32_t begin, int32_t end)
 
 void cni_areas_accelerate(cn_world *world, float dt)
 {
-	visits v;
+	visits v = { world, NULL, 0, dt };
 	uint64_t *keys;
 	int32_t k, begin = 0;
-	v.world = world;
-	v.dt = dt;
 	visits_find(&v, NULL);
 	if (v.count == 0)
 		return;

@@ -330,9 +330,7 @@ typedef struct move_limit {
 static move_limit move_limit_make(const cn_world *world, float dt)
 {
 	const float finite = 1e18f, rounding = 1.0001f;
-	move_limit limit;
-	limit.way = cni_min(rounding * dt * world->settings.linear_speed_max, finite);
-	limit.turn = cni_min(rounding * dt * world->settings.angular_speed_max, finite);
+	move_limit limit = { cni_min(rounding * dt * world->settings.linear_speed_max, finite), cni_min(rounding * dt * world->settings.angular_speed_max, finite) };
 	return limit;
 }
 

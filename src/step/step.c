@@ -137,13 +137,11 @@ static void substeps_lead(void *context)
 /* Workers stay inside one team run over all substeps, passes and colours. */
 static void substeps_run(cn_world *world, cni_solve *s)
 {
-	substeps all;
+	substeps all = { world, s };
 	if (world->awake_count == 1)
 		return; /* only the dummy */
 	if (s->lanes + world->awake_joints.count + world->awake_count >= SHARED_WORK)
 		s->team = world->team;
-	all.world = world;
-	all.s = s;
 	cni_team_run(s->team, substeps_lead, &all);
 }
 
