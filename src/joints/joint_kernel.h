@@ -309,15 +309,11 @@ CNI_INLINE arms arms_renew(const place *at_a, const place *at_b, cni_joint_block
 	const place a = *at_a, b = *at_b;
 	cni_wide ax0 = cni_wide_load(k->ax0 + l), ay0 = cni_wide_load(k->ay0 + l), bx0 = cni_wide_load(k->bx0 + l), by0 = cni_wide_load(k->by0 + l);
 	cni_wide ax = a.c1 * ax0 - a.s * ay0, ay = a.c1 * ay0 + a.s * ax0, bx = b.c1 * bx0 - b.s * by0, by = b.c1 * by0 + b.s * bx0;
-	arms r;
+	arms r = { ax0 + ax, ay0 + ay, bx0 + bx, by0 + by };
 	cni_wide_store(k->ex + l, cni_wide_load(k->dx0 + l) + ((b.x - a.x) + (bx - ax)));
 	cni_wide_store(k->ey + l, cni_wide_load(k->dy0 + l) + ((b.y - a.y) + (by - ay)));
 	if (angular)
 		cni_wide_store(k->measure + l, cni_wide_load(k->angle0 + l) + (b.theta - a.theta));
-	r.ax = ax0 + ax;
-	r.ay = ay0 + ay;
-	r.bx = bx0 + bx;
-	r.by = by0 + by;
 	cni_wide_store(k->ax + l, r.ax);
 	cni_wide_store(k->ay + l, r.ay);
 	cni_wide_store(k->bx + l, r.bx);
