@@ -17,7 +17,8 @@
 
 /* ---- masses ---- */
 
-void cni_rows_invert(const cni_row *r, int32_t count, const cni_motion *a, const cni_motion *b, float *inv)
+/* Inverse of the symmetric K of one to three rows; a singular K has the inverse 0. */
+CNI_INLINE void block_invert(const cni_row *r, int32_t count, const cni_motion *a, const cni_motion *b, float *inv)
 {
 	if (count == 1) {
 		float k = cni_row_mass(r, r, a, b);
@@ -42,6 +43,11 @@ void cni_rows_invert(const cni_row *r, int32_t count, const cni_motion *a, const
 		inv[4] = (k01 * k02 - k00 * k12) * d;
 		inv[5] = (k00 * k11 - k01 * k01) * d;
 	}
+}
+
+void cni_rows_invert(const cni_row *r, int32_t count, const cni_motion *a, const cni_motion *b, float *inv)
+{
+	block_invert(r, count, a, b, inv);
 }
 
 /* ---- frames ---- */
@@ -135,7 +141,7 @@ static void rows_build(cni_joint_constraint *w, const cni_motion *a, const cni_m
 	w->row_count = w->make_rows(w->record, &f, w->rows);
 	if (w->rigid_count < 0)
 		w->rigid_count = rows_together(w->rows, w->row_count);
-	cni_rows_invert(w->rows, w->rigid_count, a, b, w->numbers->inverse);
+	block_invert(w->rows, w->rigid_count, a, b, w->numbers->inverse);
 	for (k = w->rigid_count; k < w->row_count; ++k) {
 		float mass;
 		if (constraint_is_decoupled(w))
