@@ -17,7 +17,7 @@
 
 /* ---- memory ---- */
 
-enum { POOL_EACH = 2, COUPLINGS_EACH = 32, NODE_INTS = 14 };
+enum { POOL_EACH = 2, COUPLINGS_EACH = 32 };
 #define KEPT_SPARE 4 /* times what is needed: more is given back */
 
 /* A limit on the work also limits the blocks; memory is reserved for at most 1024 units of work per node. */
@@ -45,13 +45,6 @@ static int32_t couplings_most(int32_t count, int64_t work_most)
 static uint64_t rounded(uint64_t bytes)
 {
 	return (bytes + 15) & ~(uint64_t)15;
-}
-
-static uint64_t scratch_bytes(int32_t count, int32_t body_count)
-{
-	uint64_t n = (uint64_t)count, bodies = (uint64_t)body_count;
-	return rounded(4u * n) * NODE_INTS + rounded(sizeof(int32_t *) * n) + rounded(n) + rounded(n * sizeof(cni_component)) +
-	       rounded(sizeof(cni_clique) * bodies) + rounded(4u * bodies) + rounded(bodies);
 }
 
 static uint64_t block_bytes(int32_t count)
@@ -84,83 +77,72 @@ typedef struct kept_plan {
 	cni_component *components;
 } kept_plan;
 
-static uint64_t kept_bytes(const kept_head *h)
-{
-	uint64_t n = (uint64_t)h->link_count;
-	return rounded(sizeof *h) + rounded(n * sizeof(cni_link)) + 2 * rounded(n) + rounded(4u * (uint64_t)h->node_count) +
-	       rounded(4u * ((uint64_t)h->node_count + 1)) + rounded(4u * (uint64_t)h->body_count) + rounded(4u * (uint64_t)h->block_count) +
-	       rounded(sizeof(cni_coupling) * (uint64_t)h->coupling_count) + rounded(sizeof(cni_component) * (uint64_t)h->component_count);
-}
+/* Allocates arrays from the front of a piece of memory; without memory it only counts their bytes. */
+typedef struct piece {
+	uint8_t *memory;
+	uint64_t used;
+} piece;
 
-uint64_t cni_sparse_kept_bytes(int32_t count, int64_t work_most)
+static void *alloc(piece *at, uint64_t bytes)
 {
-	kept_head h = { 0, 0, 0, 0, 0, 0, 0 };
-	h.link_count = h.node_count = h.component_count = count;
-	h.body_count = 2 * count;
-	h.block_count = below_most(count, work_most);
-	h.coupling_count = couplings_most(count, work_most);
-	return kept_bytes(&h);
-}
-
-uint64_t cni_sparse_bytes(int32_t count, int32_t body_count, int64_t work_most)
-{
-	return scratch_bytes(count, body_count) + 4u * (uint64_t)pool_most(count, work_most) +
-	       node_bytes(count, count) + block_bytes(count + below_most(count, work_most)) + 1024;
-}
-
-/* Allocates bytes from the front of a piece of memory. */
-static void *alloc(uint8_t **at, uint64_t bytes)
-{
-	void *p = *at;
-	*at += rounded(bytes);
+	void *p = at->memory != NULL ? at->memory + at->used : NULL;
+	at->used += rounded(bytes);
 	return p;
 }
 
-static int32_t *alloc_ints(uint8_t **at, int32_t count)
+static int32_t *alloc_ints(piece *at, int32_t count)
 {
 	return (int32_t *)alloc(at, 4u * (uint64_t)count);
 }
 
-/* The arrays of a kept plan whose head is already written. */
-static kept_plan kept_cut(uint8_t *at)
+/* The arrays of a kept plan of the size h; the head in memory is not written. Returns their bytes. */
+static uint64_t kept_cut(uint8_t *memory, const kept_head *h, kept_plan *k)
 {
-	kept_plan k;
-	kept_head *h = (kept_head *)alloc(&at, sizeof *h);
-	k.head = h;
-	k.links = (cni_link *)alloc(&at, sizeof(cni_link) * (uint64_t)h->link_count);
-	k.moving = (uint8_t *)alloc(&at, (uint64_t)h->link_count);
-	k.planned = (uint8_t *)alloc(&at, (uint64_t)h->link_count);
-	k.order = alloc_ints(&at, h->node_count);
-	k.first = alloc_ints(&at, h->node_count + 1);
-	k.bodies = alloc_ints(&at, h->body_count);
-	k.below = alloc_ints(&at, h->block_count);
-	k.couplings = (cni_coupling *)alloc(&at, sizeof(cni_coupling) * (uint64_t)h->coupling_count);
-	k.components = (cni_component *)alloc(&at, sizeof(cni_component) * (uint64_t)h->component_count);
-	return k;
+	piece at = { memory, 0 };
+	k->head = (kept_head *)alloc(&at, sizeof *h);
+	k->links = (cni_link *)alloc(&at, sizeof(cni_link) * (uint64_t)h->link_count);
+	k->moving = (uint8_t *)alloc(&at, (uint64_t)h->link_count);
+	k->planned = (uint8_t *)alloc(&at, (uint64_t)h->link_count);
+	k->order = alloc_ints(&at, h->node_count);
+	k->first = alloc_ints(&at, h->node_count + 1);
+	k->bodies = alloc_ints(&at, h->body_count);
+	k->below = alloc_ints(&at, h->block_count);
+	k->couplings = (cni_coupling *)alloc(&at, sizeof(cni_coupling) * (uint64_t)h->coupling_count);
+	k->components = (cni_component *)alloc(&at, sizeof(cni_component) * (uint64_t)h->component_count);
+	return at.used;
 }
 
-static void planner_cut(cni_planner *p, uint8_t *at)
+/* The arrays and components of a planner for n links between this number of bodies. Returns their bytes. */
+static uint64_t planner_cut(uint8_t *memory, int32_t n, int32_t bodies, cni_planner *p, cni_sparse *out)
 {
-	int32_t n = p->system->link_count;
+	piece at = { memory, 0 };
+	int32_t **ints[] = { &p->node_next[0], &p->node_next[1], &p->member, &p->list_count, &p->in[0], &p->in[1], &p->mark, &p->degree, &p->degree_head,
+		&p->degree_next, &p->degree_prev, &p->order, &p->position };
+	size_t k;
 	p->list = (int32_t **)alloc(&at, sizeof(int32_t *) * (uint64_t)n);
-	p->out->components = (cni_component *)alloc(&at, sizeof(cni_component) * (uint64_t)n);
-	p->clique = (cni_clique *)alloc(&at, sizeof(cni_clique) * (uint64_t)p->system->motion_count);
-	p->body_head = alloc_ints(&at, p->system->motion_count);
-	p->node_next[0] = alloc_ints(&at, n);
-	p->node_next[1] = alloc_ints(&at, n);
-	p->member = alloc_ints(&at, n);
-	p->list_count = alloc_ints(&at, n);
-	p->in[0] = alloc_ints(&at, n);
-	p->in[1] = alloc_ints(&at, n);
-	p->mark = alloc_ints(&at, n);
-	p->degree = alloc_ints(&at, n);
-	p->degree_head = alloc_ints(&at, n);
-	p->degree_next = alloc_ints(&at, n);
-	p->degree_prev = alloc_ints(&at, n);
-	p->order = alloc_ints(&at, n);
-	p->position = alloc_ints(&at, n);
+	out->components = (cni_component *)alloc(&at, sizeof(cni_component) * (uint64_t)n);
+	p->clique = (cni_clique *)alloc(&at, sizeof(cni_clique) * (uint64_t)bodies);
+	p->body_head = alloc_ints(&at, bodies);
+	for (k = 0; k < sizeof ints / sizeof ints[0]; ++k)
+		*ints[k] = alloc_ints(&at, n);
 	p->seen = (uint8_t *)alloc(&at, (uint64_t)n);
-	p->body_reached = (uint8_t *)alloc(&at, (uint64_t)p->system->motion_count);
+	p->body_reached = (uint8_t *)alloc(&at, (uint64_t)bodies);
+	return at.used;
+}
+
+uint64_t cni_sparse_kept_bytes(int32_t count, int64_t work_most)
+{
+	kept_head h = { 0, count, count, below_most(count, work_most), couplings_most(count, work_most), count, 2 * count };
+	kept_plan unused;
+	return kept_cut(NULL, &h, &unused);
+}
+
+uint64_t cni_sparse_bytes(int32_t count, int32_t body_count, int64_t work_most)
+{
+	cni_planner planner;
+	cni_sparse unused;
+	return planner_cut(NULL, count, body_count, &planner, &unused) + 4u * (uint64_t)pool_most(count, work_most) +
+	       node_bytes(count, count) + block_bytes(count + below_most(count, work_most)) + 1024;
 }
 
 /* ---- writing the plan ---- */
@@ -268,6 +250,13 @@ static void plan_write(const cni_planner *p, kept_plan *kept)
 
 /* ---- keeping it ---- */
 
+static kept_head head_of(const cni_planner *p)
+{
+	const cni_sparse *s = p->out;
+	kept_head h = { p->system->budget, p->system->link_count, s->node_count, s->block_count, s->coupling_count, s->component_count, s->body_count };
+	return h;
+}
+
 /* Memory for a plan of this size: the kept array, which is freed first if it is much too large, or else scratch. A world in
    a caller's block keeps the array that it reserved at creation. */
 static uint8_t *kept_reserve(cni_arena *arena, cni_array *kept, uint64_t bytes)
@@ -304,27 +293,21 @@ static int32_t kept_fits(const cni_planner *p, const kept_plan *kept)
 /* Makes a new plan in the kept array or in scratch. 0: no memory. */
 static int32_t plan_make(cni_planner *p, cni_array *array, kept_plan *kept)
 {
-	const cni_system *system = p->system;
-	int32_t before = p->arena->entry_count, after;
-	uint8_t *at = (uint8_t *)cni_arena_push(p->arena, scratch_bytes(system->link_count, system->motion_count));
-	kept_head head = { 0, 0, 0, 0, 0, 0, 0 };
-	if (at == NULL)
+	const int32_t links = p->system->link_count, bodies = p->system->motion_count, before = p->arena->entry_count;
+	uint8_t *memory = (uint8_t *)cni_arena_push(p->arena, planner_cut(NULL, links, bodies, p, p->out));
+	kept_head head;
+	int32_t after;
+	if (memory == NULL)
 		return 0;
-	planner_cut(p, at);
+	(void)planner_cut(memory, links, bodies, p, p->out);
 	cni_planner_components(p);
-	head.budget = system->budget;
-	head.link_count = system->link_count;
-	head.node_count = p->out->node_count;
-	head.block_count = p->out->block_count;
-	head.coupling_count = p->out->coupling_count;
-	head.component_count = p->out->component_count;
-	head.body_count = p->out->body_count;
+	head = head_of(p);
 	after = p->arena->entry_count;
-	at = p->no_memory ? NULL : kept_reserve(p->arena, array, kept_bytes(&head));
-	if (at == NULL)
+	memory = p->no_memory ? NULL : kept_reserve(p->arena, array, kept_cut(NULL, &head, kept));
+	if (memory == NULL)
 		return 0;
-	memcpy(at, &head, sizeof head);
-	*kept = kept_cut(at);
+	(void)kept_cut(memory, &head, kept);
+	*kept->head = head;
 	plan_write(p, kept);
 	if (p->arena->entry_count == after)
 		cni_planner_pop_to(p->arena, before);
@@ -407,7 +390,7 @@ int32_t cni_sparse_plan(cni_arena *arena, cni_array *kept, const cni_system *sys
 	p.pool_most = pool_most(system->link_count, work_most);
 	out->arena_entries = arena->entry_count;
 	if (kept != NULL && kept->count > 0 && CNI_ON(KEPT_PLANS)) {
-		plan = kept_cut((uint8_t *)kept->data);
+		(void)kept_cut((uint8_t *)kept->data, (const kept_head *)kept->data, &plan);
 		reusable = kept_fits(&p, &plan);
 	}
 	if (system->link_count > 0)
