@@ -76,18 +76,17 @@ void cni_component_suspend(cn_world *world, cni_sparse *sparse, cni_component *c
 }
 
 /* Reads the joints' levers from their rows, and the speeds that correct their errors at this rate, but no faster than overlaps are pushed
-   apart: what a gap's closing gives to light parts they keep. Returns the number of joints. */
-static int32_t levers_read(const cn_world *world, cni_sparse *sparse, const cni_component *c, float rate)
+   apart: what a gap's closing gives to light parts they keep. */
+static void levers_read(const cn_world *world, cni_sparse *sparse, const cni_component *c, float rate)
 {
 	const cni_push_speeds push = cni_push_speeds_of(world);
-	int32_t k, i, joints = 0;
+	int32_t k, i;
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
 		const cni_row *rows;
 		float most;
 		if (n->owner < 0)
 			continue;
-		++joints;
 		rows = cni_joint_constraints(world)[n->owner].rows;
 		for (i = 0; i < n->rows; ++i) {
 			cni_levers_set(&n->levers, i, cni_row_lever(&rows[i]));
@@ -95,12 +94,11 @@ static int32_t levers_read(const cn_world *world, cni_sparse *sparse, const cni_
 			n->closing[i] = cni_clamp(rate * rows[i].error, -most, most);
 		}
 	}
-	return joints;
 }
 
 void cni_direct_refresh(cn_world *world, cni_sparse *sparse, const cni_component *c)
 {
-	(void)levers_read(world, sparse, c, 0.0f);
+	levers_read(world, sparse, c, 0.0f);
 	cni_sparse_factor(sparse, c, cni_motions(world));
 }
 
@@ -129,7 +127,7 @@ void cni_direct_system(cn_world *world, const cni_solve *s, cni_sparse *sparse, 
 	if (c->active)
 		cni_active_clear(sparse, c);
 	cni_geometric_stiffness_damp(world, sparse, c, s->h);
-	c->joints = levers_read(world, sparse, c, CNI_JOINT_ERROR_RATE * s->inv_h);
+	levers_read(world, sparse, c, CNI_JOINT_ERROR_RATE * s->inv_h);
 	if (c->active)
 		cni_active_levers(world, sparse, c);
 	if (c->has_contacts)

@@ -28,15 +28,6 @@ static void joints_release(cn_world *world)
 
 /* ---- the step ---- */
 
-static int32_t component_has_contacts(const cni_sparse *sparse, const cni_component *c)
-{
-	int32_t k;
-	for (k = c->begin; k < c->end; ++k)
-		if (sparse->nodes[k].owner < 0)
-			return 1;
-	return 0;
-}
-
 /* Work of a step, in the units of work_budget. */
 static int32_t work_planned(const cn_world *world, const cni_sparse *sparse)
 {
@@ -281,13 +272,10 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 		return;
 	s->direct = out;
 	for (k = 0; k < out->component_count; ++k) {
-		out->components[k].has_contacts = component_has_contacts(out, &out->components[k]);
-		out->components[k].cone_pushed = out->components[k].denied = 0;
-	}
-	for (k = 0; k < out->component_count; ++k) {
 		cni_component *c = &out->components[k];
 		if (far && k + 1 < out->component_count)
 			cni_component_prefetch(world, out, k + 1);
+		c->has_contacts = c->joints < c->end - c->begin;
 		c->regular = c->has_contacts ? CNI_REGULARIZATION_CONTACTS : c->loops ? CNI_REGULARIZATION_LOOPS : 0.0f;
 		c->mass_ratio = mass_ratio(world, out, c);
 		c->uses_rattle = CNI_ON(RATTLE) && !c->has_contacts && cni_component_uses_rattle(world, s, out, c);

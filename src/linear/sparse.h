@@ -29,7 +29,7 @@
 
 typedef struct cni_node {
 	int32_t ia, ib;                    /* dense indices of its bodies, 0: static or the world */
-	int32_t owner;                     /* set by the caller */
+	int32_t owner;                     /* set by the caller; below 0: no joint */
 	int32_t rows;                      /* 1 to 3 */
 	uint32_t active;                   /* of a contact: bits of the rows whose levers are set; of a joint: direct/active_rows.c */
 	cni_levers levers;
@@ -77,7 +77,7 @@ typedef struct cni_component {
 	int32_t denied;                /* ... 1: ... did not run, for the work of other components in this step */
 	int32_t nothing_pushed;        /* ... 1: no contact was pushed in this substep */
 	int32_t factored;              /* ... 1: the pivots belong to the present levers */
-	int32_t joints;                /* number of nodes that are joints: direct/direct_joints.c */
+	int32_t joints;                /* number of nodes that are joints */
 	int32_t active;                /* 1: the active set has limits, 2: also motors: direct/active_rows.c */
 	int32_t active_first;          /* ... its first node, in ascending order */
 	int32_t damps;                 /* 1: its pins may have dampers or locks in this step: direct/geometric_stiffness.c */

@@ -53,13 +53,14 @@ static void body_reach(cni_planner *p, int32_t body)
 static void component_collect(cni_planner *p, int32_t start)
 {
 	int32_t at, side;
-	p->member_count = p->body_count = p->pairs = p->hub = 0;
+	p->member_count = p->body_count = p->ends = p->pairs = p->hub = 0;
 	p->tree_work = 0;
 	p->member[p->member_count++] = start;
 	p->seen[start] = 1;
 	for (at = 0; at < p->member_count; ++at)
 		for (side = 0; side < 2; ++side) {
 			int32_t body = cni_planner_body(p, p->member[at], side);
+			p->ends += body != 0;
 			if (body != 0 && !p->body_reached[body])
 				body_reach(p, body);
 		}
@@ -82,10 +83,7 @@ static int64_t component_limit(const cni_planner *p)
 /* The bipartite graph of nodes and moving bodies is connected, so it is a tree when it has one edge fewer than vertices. */
 static int32_t component_is_tree(const cni_planner *p)
 {
-	int32_t k, ends = 0;
-	for (k = 0; k < p->member_count; ++k)
-		ends += (cni_planner_body(p, p->member[k], 0) != 0) + (cni_planner_body(p, p->member[k], 1) != 0);
-	return ends == p->member_count + p->body_count - 1;
+	return p->ends == p->member_count + p->body_count - 1;
 }
 
 /* For a tree: 1 when no body has more than two nodes and the first node is an end of the chain. */
@@ -133,22 +131,6 @@ static int32_t loops_order(cni_planner *p, int64_t most)
 
 /* ---- planning ---- */
 
-static int32_t component_width(const cni_planner *p)
-{
-	int32_t k, width = 2;
-	for (k = 0; k < p->member_count; ++k)
-		width = cni_max_i(width, p->system->links[p->member[k]].rows);
-	return width;
-}
-
-static int32_t columns_length(const cni_planner *p)
-{
-	int32_t k, sum = 0;
-	for (k = 0; k < p->member_count; ++k)
-		sum += p->list_count[p->member[k]];
-	return sum;
-}
-
 /* Orders the component and adds it to the plan if it is within its limits. */
 static void component_plan(cni_planner *p)
 {
@@ -164,14 +146,19 @@ static void component_plan(cni_planner *p)
 	c->coupling_end = s->coupling_count += p->pairs;
 	c->body_begin = s->body_count;
 	c->body_end = s->body_count += p->body_count;
-	s->block_count += tree ? p->pairs : columns_length(p);
+	s->block_count += tree ? p->pairs : 0;
 	c->work = (int32_t)p->work;
 	c->tree = tree;
 	c->loops = !tree || p->member_count > p->body_count;
-	c->width = component_width(p);
+	c->width = 2;
 	p->budget -= p->work;
-	for (k = 0; k < p->member_count; ++k)
-		p->planned[p->member[k]] = 1;
+	for (k = 0; k < p->member_count; ++k) {
+		const int32_t node = p->member[k];
+		p->planned[node] = 1;
+		s->block_count += tree ? 0 : p->list_count[node];
+		c->width = cni_max_i(c->width, p->system->links[node].rows);
+		c->joints += p->system->links[node].owner >= 0;
+	}
 	++s->component_count;
 }
 

@@ -330,18 +330,11 @@ static int32_t plan_take(const cni_planner *p, const kept_plan *kept)
 	const kept_head *h = kept->head;
 	cni_sparse *s = p->out;
 	int32_t k;
-	uint64_t bytes[2];
-	uint8_t *at[2];
-	bytes[0] = node_bytes(h->node_count, h->component_count);
-	bytes[1] = block_bytes(h->node_count + h->block_count);
-	for (k = 0; k < 2; ++k) {
-		at[k] = (uint8_t *)cni_arena_push(p->arena, bytes[k]);
-		if (at[k] == NULL)
-			return 0;
-	}
-	s->nodes = (cni_node *)(void *)at[0];
-	s->components = (cni_component *)(void *)(at[0] + rounded((uint64_t)h->node_count * sizeof(cni_node)));
-	s->pivots = (float *)(void *)at[1];
+	s->nodes = (cni_node *)cni_arena_push(p->arena, node_bytes(h->node_count, h->component_count));
+	s->pivots = (float *)cni_arena_push(p->arena, block_bytes(h->node_count + h->block_count));
+	if (s->nodes == NULL || s->pivots == NULL)
+		return 0;
+	s->components = (cni_component *)(void *)((uint8_t *)s->nodes + rounded((uint64_t)h->node_count * sizeof(cni_node)));
 	s->blocks = s->pivots + (size_t)h->node_count * CNI_BLOCK_FLOATS;
 	for (k = 0; k < h->node_count; ++k)
 		node_make(&s->nodes[k], &kept->links[kept->order[k]]);

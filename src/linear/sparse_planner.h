@@ -32,6 +32,7 @@ typedef struct cni_planner {
 	int32_t *member;             /* nodes of the component, in order of discovery */
 	int32_t member_count;
 	int32_t body_count;          /* moving bodies of the component */
+	int32_t ends;                /* of its nodes, at moving bodies */
 	int32_t pairs;               /* pairs of nodes that share a body */
 	int32_t hub;                 /* largest number of nodes at one body */
 	int64_t tree_work;           /* work of the component if it is a tree */
