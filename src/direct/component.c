@@ -30,13 +30,21 @@ void cni_direct_rotations(const cn_world *world, cni_sparse *sparse, const cni_c
 		sparse->turn[sparse->bodies[k]] = cni_rot_small(cni_motions(world)[sparse->bodies[k]].theta);
 }
 
-int32_t cni_component_is_touched(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+int32_t cni_component_touched(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
-	int32_t k;
+	int32_t k, count = 0;
 	for (k = c->body_begin; k < c->body_end; ++k)
-		if (cni_externals(world)[sparse->bodies[k]].flags & CNI_EXTERNAL_TOUCHED)
-			return 1;
-	return 0;
+		count += (cni_externals(world)[sparse->bodies[k]].flags & CNI_EXTERNAL_TOUCHED) != 0;
+	return count;
+}
+
+int32_t cni_component_held(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	const cni_motion *motions = cni_motions(world);
+	int32_t k, count = 0;
+	for (k = c->begin; k < c->end; ++k)
+		count += motions[sparse->nodes[k].ia].inv_mass == 0.0f || motions[sparse->nodes[k].ib].inv_mass == 0.0f;
+	return count;
 }
 
 void cni_component_release(cn_world *world, cni_sparse *sparse, cni_component *c)
@@ -67,10 +75,9 @@ void cni_component_suspend(cn_world *world, cni_sparse *sparse, cni_component *c
 			continue;
 		t = &cni_joint_at(world, cni_joint_constraints(world)[sparse->nodes[k].owner].joint)->trust;
 		if (span == 0)
-			cni_trust_fail(t, world->step_count, 1);
+			cni_trust_fail(world, t, 1);
 		else
-			cni_trust_suspend(t, world->step_count, span, 1);
-		world->joints_soft_step = t->until > world->joints_soft_step ? t->until : world->joints_soft_step;
+			cni_trust_suspend(world, t, span, 1);
 	}
 	cni_component_release(world, sparse, c);
 }
@@ -136,7 +143,8 @@ void cni_direct_system(cn_world *world, const cni_solve *s, cni_sparse *sparse, 
 		cni_sparse_factor(sparse, c, cni_motions(world));
 }
 
-CNI_INLINE void nodes_push(cn_world *world, const cni_sparse *sparse, const cni_component *c, int32_t width)
+/* Applies x of every node to body velocities and row impulses. */
+static void solution_push(cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
 	cni_motion *motions = cni_motions(world);
 	cni_joint_constraint *constraints = cni_joint_constraints(world);
@@ -147,29 +155,7 @@ CNI_INLINE void nodes_push(cn_world *world, const cni_sparse *sparse, const cni_
 			continue;
 		for (i = 0; i < n->rows; ++i)
 			constraints[n->owner].rows[i].impulse += n->x[i];
-		cni_levers_push(&n->levers, n->x, motions + n->ia, motions + n->ib, width);
-	}
-}
-
-/* Applies x of every node to body velocities and row impulses. */
-static void solution_push(cn_world *world, const cni_sparse *sparse, const cni_component *c)
-{
-	if (c->width == 2)
-		nodes_push(world, sparse, c, 2);
-	else
-		nodes_push(world, sparse, c, CNI_NODE_ROWS);
-}
-
-static void right_sides(const cn_world *world, cni_sparse *sparse, const cni_component *c, float part)
-{
-	const cni_motion *motions = cni_motions(world);
-	const cni_four zero = cni_four_all(0.0f);
-	int32_t k;
-	for (k = c->begin; k < c->end; ++k) {
-		cni_node *n = &sparse->nodes[k];
-		cni_four speed = cni_levers_speed(&n->levers, motions + n->ia, motions + n->ib);
-		cni_four_store(n->total, speed);
-		cni_four_store(n->x, cni_four_subtract(cni_four_subtract(zero, speed), cni_four_scale(cni_four_load(n->closing), part)));
+		cni_levers_push(&n->levers, n->x, motions + n->ia, motions + n->ib, c->width);
 	}
 }
 
@@ -260,25 +246,19 @@ int32_t cni_direct_apply(cn_world *world, cni_sparse *sparse, cni_component *c)
 {
 	if (c->loops || c->active)
 		sides_save(sparse, c, 0);
-	if (!c->loops) {
-		if (!cni_sparse_solve(sparse, c))
-			return 0;
-		solution_push(world, sparse, c);
-		dampers_forget(world, sparse, c);
-		return 1;
-	}
-	for (;;) {
+	if (c->loops)
 		cni_direct_motions_save(world, sparse, c, 0);
+	for (;;) {
 		if (cni_sparse_solve(sparse, c)) {
 			solution_push(world, sparse, c);
-			if (is_bounded(world, sparse, c)) {
+			if (!c->loops || is_bounded(world, sparse, c)) {
 				dampers_forget(world, sparse, c);
 				return 1;
 			}
 			cni_direct_motions_save(world, sparse, c, 1);
 			impulses_undo(world, sparse, c);
 		}
-		if (c->regular > CNI_REGULARIZATION_MAX)
+		if (!c->loops || c->regular > CNI_REGULARIZATION_MAX)
 			return 0;
 		c->regular *= CNI_REGULARIZATION_STEP;
 		cni_sparse_factor(sparse, c, cni_motions(world));
@@ -288,7 +268,15 @@ int32_t cni_direct_apply(cn_world *world, cni_sparse *sparse, cni_component *c)
 
 void cni_direct_right_sides(cn_world *world, const cni_solve *s, const cni_component *c, int32_t bias)
 {
-	right_sides(world, s->direct, c, bias ? 1.0f : 0.0f);
+	const cni_motion *motions = cni_motions(world);
+	const cni_four zero = cni_four_all(0.0f);
+	int32_t k;
+	for (k = c->begin; k < c->end; ++k) {
+		cni_node *n = &s->direct->nodes[k];
+		cni_four speed = cni_levers_speed(&n->levers, motions + n->ia, motions + n->ib);
+		cni_four_store(n->total, speed);
+		cni_four_store(n->x, cni_four_subtract(cni_four_subtract(zero, speed), cni_four_scale(cni_four_load(n->closing), bias ? 1.0f : 0.0f)));
+	}
 	if (bias && c->loops && !c->has_contacts)
 		leaks_add(world, s->direct, c);
 	if (c->active)

@@ -48,15 +48,6 @@ static int32_t is_requested(const cn_world *world, const cni_sparse *sparse, con
 	return island != CNI_NONE && cni_island_at(world, island)->joints_solver == CN_SOLVER_DIRECT;
 }
 
-static int32_t joints_to_fixed(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
-{
-	const cni_motion *motions = cni_motions(world);
-	int32_t k, count = 0;
-	for (k = c->begin; k < c->end; ++k)
-		count += motions[sparse->nodes[k].ia].inv_mass == 0.0f || motions[sparse->nodes[k].ib].inv_mass == 0.0f;
-	return count;
-}
-
 /* Pins and rods alone, and welds where it is one row of parts between two fixed ends. */
 static int32_t may_be_straight(const cn_world *world, const cni_sparse *sparse, const cni_component *c, int32_t fixed)
 {
@@ -67,14 +58,6 @@ static int32_t may_be_straight(const cn_world *world, const cni_sparse *sparse, 
 			return 0;
 	}
 	return 1;
-}
-
-static int32_t touched_bodies(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
-{
-	int32_t k, count = 0;
-	for (k = c->body_begin; k < c->body_end; ++k)
-		count += (cni_externals(world)[sparse->bodies[k]].flags & CNI_EXTERNAL_TOUCHED) != 0;
-	return count;
 }
 
 /* How far the two points of a pin, or the ends of a rod, are from where they belong. */
@@ -122,11 +105,11 @@ static int32_t loop_is_better_soft(const cn_world *world, const cni_sparse *spar
 	int32_t touched, opened, fixed, bodies = c->body_end - c->body_begin;
 	if (!CNI_ON(SOFT_LOOPS) || world->settings.solver != CN_SOLVER_AUTO || !c->loops || c->has_contacts || bodies == 0 || is_requested(world, sparse, c))
 		return 0;
-	touched = touched_bodies(world, sparse, c);
+	touched = cni_component_touched(world, sparse, c);
 	opened = was_soft(world, sparse, c) && is_open(world, sparse, c);
 	if (touched == 0 && (c->uses_rattle || !opened))
 		return 0;
-	fixed = joints_to_fixed(world, sparse, c);
+	fixed = cni_component_held(world, sparse, c);
 	if (!may_be_straight(world, sparse, c, fixed))
 		return 0;
 	return opened || fixed > 1 || (2 * touched > bodies && touched > cni_heavy_contacts_most(sparse, c));
@@ -244,7 +227,7 @@ static int32_t is_ill_scaled(cn_world *world, const cni_solve *s, cni_sparse *sp
    freely turns at rest in itself, and stays with RATTLE. */
 static void rattle_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c)
 {
-	if (c->loops && joints_to_fixed(world, sparse, c) > 0 && is_redundant(world, s, sparse, c, CNI_RATTLE_REDUNDANT))
+	if (c->loops && cni_component_held(world, sparse, c) > 0 && is_redundant(world, s, sparse, c, CNI_RATTLE_REDUNDANT))
 		c->uses_rattle = 0;
 	else
 		cni_sparse_clear(sparse, c);

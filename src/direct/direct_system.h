@@ -17,8 +17,10 @@ int32_t cni_direct_plan(cn_world *world, cni_sparse *out);
 void cni_direct_refresh(cn_world *world, cni_sparse *sparse, const cni_component *c);
 /* Bound on the scratch memory of planning. direct/direct_plan.c */
 uint64_t cni_direct_plan_bytes(int32_t solver, int32_t joints, int32_t contacts, int32_t bodies);
-/* 1: some body of the component has contacts in lanes. */
-int32_t cni_component_is_touched(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
+/* Number of its bodies that have contacts in lanes. */
+int32_t cni_component_touched(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
+/* Number of its joints that end at a body without mass. */
+int32_t cni_component_held(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
 /* Returns the joints of the component to the soft solver for this step. */
 void cni_component_release(cn_world *world, cni_sparse *sparse, cni_component *c);
 /* ... and for `span` steps; 0: for a span that doubles with each failure. */
@@ -38,16 +40,18 @@ void cni_direct_rotations(const cn_world *world, cni_sparse *sparse, const cni_c
 void cni_direct_right_sides(cn_world *world, const cni_solve *s, const cni_component *c, int32_t bias);
 /* Solves for the impulses and applies them; on failure the joints become soft. direct/active_set.c */
 void cni_component_solve(cn_world *world, const cni_solve *s, cni_component *c);
-static inline void cni_trust_suspend(cni_joint_trust *t, uint32_t step, int32_t span, int32_t soft)
+static inline void cni_trust_suspend(cn_world *world, cni_joint_trust *t, int32_t span, int32_t soft)
 {
 	t->span = (uint16_t)span;
-	t->until = step + t->span;
+	t->until = world->step_count + t->span;
 	t->soft = (uint8_t)soft;
+	if (soft && t->until > world->joints_soft_step)
+		world->joints_soft_step = t->until;
 }
-static inline void cni_trust_fail(cni_joint_trust *t, uint32_t step, int32_t soft)
+static inline void cni_trust_fail(cn_world *world, cni_joint_trust *t, int32_t soft)
 {
-	int32_t lately = t->span > 0 && (int32_t)(step - t->until) < CNI_TRUST_MOST;
-	cni_trust_suspend(t, step, !CNI_ON(RETRY_DELAY) ? 1 : lately ? cni_min_i(2 * t->span, CNI_TRUST_MOST) : CNI_TRUST_LEAST, soft);
+	int32_t lately = t->span > 0 && (int32_t)(world->step_count - t->until) < CNI_TRUST_MOST;
+	cni_trust_suspend(world, t, !CNI_ON(RETRY_DELAY) ? 1 : lately ? cni_min_i(2 * t->span, CNI_TRUST_MOST) : CNI_TRUST_LEAST, soft);
 }
 /* Part of an impulse between two bodies with which the soft solver may start: it gives the lighter one at most the speed of
    CNI_SOFT_STRESS of its weights. With more the soft solver crushes the body from any start, and throws it when the impulses on both

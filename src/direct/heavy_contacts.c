@@ -319,7 +319,7 @@ int32_t cni_heavy_contacts_list(const cn_world *world, const cni_solve *s, cni_s
 	float ratio;
 	if (!CNI_ON(HEAVY_CONTACTS) || c->mass_ratio > CNI_ILL_MASS_RATIO)
 		return 0;
-	if (!CNI_ON(JOINT_PROJECTION) || c->has_contacts || !cni_component_is_touched(world, sparse, c) || may_break(world, sparse, c))
+	if (!CNI_ON(JOINT_PROJECTION) || c->has_contacts || cni_component_touched(world, sparse, c) == 0 || may_break(world, sparse, c))
 		return 0;
 	batchable = is_batchable(sparse, c);
 	ratio = batchable ? CNI_SELECTION_MASS_RATIO : 1.0f; /* else only bodies that may crush its own: ragdolls would take 4 times as long as soft ones instead of 2.1 times */

@@ -18,7 +18,7 @@
 
 static int32_t may_open(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
-	return !c->done && !c->has_contacts && cni_component_is_touched(world, sparse, c);
+	return !c->done && !c->has_contacts && cni_component_touched(world, sparse, c) > 0;
 }
 
 /* Most rounds of contacts of a component in a substep: an impact travels through a tree joint by joint. */
@@ -33,9 +33,6 @@ static void projection_add(cni_sparse *sparse, int32_t component)
 	cni_projection *projection = &sparse->projections[sparse->projection_count];
 	int32_t k;
 	projection->component = component;
-	projection->batch = c->batches ? c->batch : CNI_NONE;
-	projection->lane = c->lane;
-	projection->rounds = rounds_of(c);
 	projection->selected = projection->opening = projection->changed = 0;
 	projection->slot_begin = CNI_NONE;
 	for (k = c->body_begin; k < c->body_end; ++k)
@@ -176,10 +173,11 @@ static void projections_select(cni_sparse *sparse, int32_t round)
 	for (k = 0; k < sparse->batch_count; ++k)
 		sparse->batches[k].selected = 0;
 	for (k = 0; k < sparse->projection_count; ++k) {
-		cni_projection *c = &sparse->projections[k];
-		c->selected = round == 0 || c->opening || c->changed;
-		c->changed = 0;
-		if (c->selected && c->batch != CNI_NONE)
+		cni_projection *p = &sparse->projections[k];
+		const cni_component *c = &sparse->components[p->component];
+		p->selected = round == 0 || p->opening || p->changed;
+		p->changed = 0;
+		if (p->selected && c->batches)
 			sparse->batches[c->batch].selected |= 1u << c->lane;
 	}
 }
@@ -209,13 +207,6 @@ static int32_t lane_project(cn_world *world, const cni_solve *s, cni_component *
 	return 1;
 }
 
-static int32_t projection_run(cn_world *world, const cni_solve *s, const cni_projection *c)
-{
-	if (!c->selected)
-		return 0;
-	return (c->batch != CNI_NONE ? lane_project : component_project)(world, s, &s->direct->components[c->component]);
-}
-
 /* Returns 1 when some joints were opening, so that their contacts must be solved once more. */
 static int32_t projections_run(cn_world *world, const cni_solve *s, int32_t round)
 {
@@ -223,9 +214,10 @@ static int32_t projections_run(cn_world *world, const cni_solve *s, int32_t roun
 	projections_select(s->direct, round);
 	cni_tree_batches_project(world, s);
 	for (k = 0; k < s->direct->projection_count; ++k) {
-		cni_projection *c = &s->direct->projections[k];
-		c->opening = projection_run(world, s, c) && round < c->rounds;
-		opening |= c->opening;
+		cni_projection *p = &s->direct->projections[k];
+		cni_component *c = &s->direct->components[p->component];
+		p->opening = p->selected && (c->batches ? lane_project : component_project)(world, s, c) && round < rounds_of(c);
+		opening |= p->opening;
 	}
 	return opening;
 }

@@ -497,7 +497,7 @@ static void trust_write(const rattle_step *g, const cni_joint_trust *trust)
 /* Runs all substeps, or stops at the first that fails. */
 static int32_t substeps_run(rattle_step *g, const cni_solve *s, int32_t substeps, int32_t projects)
 {
-	int32_t k, moving = cni_rattle_is_fixed(g);
+	int32_t k, moving = cni_component_held(g->world, g->sparse, g->c) > 0;
 	g->base_work = 0.0f;
 	for (k = 0; k < substeps; ++k) {
 		int32_t how;
@@ -564,14 +564,13 @@ static int32_t project_try(rattle_step *g, const cni_solve *s, cni_component *c,
 static void joints_release(const rattle_step *g, const cni_solve *s, cni_joint_trust *t)
 {
 	int32_t k, i;
-	cni_trust_fail(t, g->world->step_count, 1);
+	cni_trust_fail(g->world, t, 1);
 	t->surplus = 0.0f;
 	for (k = g->c->begin; k < g->c->end; ++k) {
 		cni_joint_constraint_prepare(g->world, s, g->sparse->nodes[k].owner);
 		for (i = 0; i < constraint_of(g, k)->row_count; ++i)
 			constraint_of(g, k)->rows[i].impulse = 0.0f; /* impulses of a failed solution may be huge */
 	}
-	g->world->joints_soft_step = t->until > g->world->joints_soft_step ? t->until : g->world->joints_soft_step;
 }
 
 static int32_t attempt_work(const cni_component *c, int32_t substeps)
@@ -617,7 +616,7 @@ static void component_run(cn_world *world, const cni_solve *s, cni_component *c)
 	projects = trust.span > 0 && trust.until > world->step_count;
 	if (projects || !rattle_run(&g, s, c, substeps_of(&g, s, rods), &trust)) {
 		if (!projects)
-			cni_trust_fail(&trust, world->step_count, 0);
+			cni_trust_fail(world, &trust, 0);
 		if (project_try(&g, s, c, &trust) != CLOSED_WELL) {
 			step_undo(&g);
 			joints_release(&g, s, &trust);

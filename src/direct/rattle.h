@@ -28,8 +28,6 @@ static inline cni_joint_constraint *constraint_of(const rattle_step *g, int32_t 
 }
 
 float cni_rattle_closing_speed(const rattle_step *g);
-/* 1: a joint of the component ends at a body that cannot move. */
-int32_t cni_rattle_is_fixed(const rattle_step *g);
 float cni_rattle_kinetic(const rattle_step *g);
 /* Energy of motion less the work of external accelerations in this step. */
 float cni_rattle_energy(const rattle_step *g);

@@ -125,19 +125,10 @@ static cni_vec2 place_of(const rattle_step *g, int32_t index)
 	return cni_v(b->cx + g->motions[index].dpx, b->cy + g->motions[index].dpy);
 }
 
-int32_t cni_rattle_is_fixed(const rattle_step *g)
-{
-	int32_t k;
-	for (k = g->c->begin; k < g->c->end; ++k)
-		if (g->motions[g->sparse->nodes[k].ia].inv_mass == 0.0f || g->motions[g->sparse->nodes[k].ib].inv_mass == 0.0f)
-			return 1;
-	return 0;
-}
-
 /* The motion of one rigid body with the component's momenta; a body that does not turn keeps it from turning. */
 static rigid_motion rigid_of(const rattle_step *g)
 {
-	rigid_motion r = { 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, cni_rattle_is_fixed(g) };
+	rigid_motion r = { 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, cni_component_held(g->world, g->sparse, g->c) > 0 };
 	float spin = 0.0f;
 	int32_t turns = 1, k;
 	for (k = g->c->body_begin; k < g->c->body_end && !r.fixed; ++k) {

@@ -89,8 +89,6 @@ typedef struct cni_component {
 /* A component whose joints contacts may open: direct/joint_projection.c. */
 typedef struct cni_projection {
 	int32_t component;
-	int32_t batch, lane;            /* batch CNI_NONE: not batched */
-	int32_t rounds;                /* most rounds of contacts in a substep */
 	int32_t selected;              /* 1: to be checked, because its bodies may have changed since the last check */
 	int32_t opening;               /* 1: contacts would open some of its joints in this substep */
 	int32_t changed;               /* 1: contacts have changed its bodies since the last check */
