@@ -140,7 +140,7 @@ static void order_by_color(cni_tree_batch *batch)
 static void sources_find(cni_tree_batch *batch)
 {
 	int32_t k;
-	batch->moving = batch->bodies = batch->tree.bodies;
+	batch->bodies = batch->tree.bodies;
 	for (k = 2 * batch->tree.nodes - 1; k >= 0; --k) {
 		int32_t body = batch->tree.end[k >> 1][k & 1];
 		batch->source[body] = (uint32_t)((size_t)(k >> 1) * sizeof(cni_joint_block) + (k & 1 ? offsetof(cni_joint_block, ib) : offsetof(cni_joint_block, ia)));
@@ -210,16 +210,9 @@ static void component_place(batch_builder *m, cni_component *c)
 
 /* ---- passes ---- */
 
-/* The widest that this build and this processor have. */
-static const cni_tree_batch_kernel *kernel_choose(void)
-{
-	return CNI_WIDEST(&cni_tree_batch_kernel_plain, &cni_tree_batch_kernel_4, &cni_tree_batch_kernel_8);
-}
-
 typedef struct batch_loop {
-	cn_world *world;
 	cni_tree_batch *batches;
-	cni_tree_batch_kernel_fn *run;
+	cni_tree_batch_fn *run;
 	cni_tree_batch_pass pass;
 } batch_loop;
 
@@ -230,12 +223,14 @@ static void batch_range(void *context, int32_t begin, int32_t end, int32_t worke
 	int32_t k;
 	(void)worker;
 	for (k = begin; k < end; ++k)
-		loop->run(cni_motions(loop->world), cni_starts(loop->world), &loop->batches[k], &loop->pass);
+		loop->run(&loop->batches[k], &loop->pass);
 }
 
-static void batches_run(cn_world *world, const cni_solve *s, cni_tree_batch_kernel_fn *run)
+/* By the widest kernel that this build and this processor have. */
+void cni_tree_batches_run(cn_world *world, const cni_solve *s, int32_t pass)
 {
-	batch_loop loop = { world, NULL, run, { { s->h, s->inv_h, s->warm_scale, s->joint, s->restless_speed }, CNI_JOINT_ERROR_RATE * s->inv_h, s->push_speed,
+	const cni_tree_batch_kernel *kernel = CNI_WIDEST(&cni_tree_batch_kernel_plain, &cni_tree_batch_kernel_4, &cni_tree_batch_kernel_8);
+	batch_loop loop = { NULL, (*kernel)[pass], { cni_motions(world), cni_starts(world), { s->h, s->inv_h, s->warm_scale, s->joint, s->restless_speed }, CNI_JOINT_ERROR_RATE * s->inv_h, s->push_speed,
 		CNI_BAD_PART * world->settings.accuracy * s->inv_h, CNI_PROJECTION_TURN_RAD * s->inv_h } };
 	if (s->direct == NULL || s->direct->batch_count == 0)
 		return;
@@ -255,27 +250,7 @@ void cni_tree_batches_make(cn_world *world, const cni_solve *s, cni_sparse *spar
 		if (sparse->components[k].batches)
 			component_place(&m, &sparse->components[k]);
 	}
-	batches_run(world, s, kernel_choose()->begin);
-}
-
-void cni_tree_batches_warm(cn_world *world, const cni_solve *s)
-{
-	batches_run(world, s, kernel_choose()->warm);
-}
-
-void cni_tree_batches_solve(cn_world *world, const cni_solve *s)
-{
-	batches_run(world, s, kernel_choose()->solve);
-}
-
-void cni_tree_batches_relax(cn_world *world, const cni_solve *s)
-{
-	batches_run(world, s, kernel_choose()->relax);
-}
-
-void cni_tree_batches_project(cn_world *world, const cni_solve *s)
-{
-	batches_run(world, s, kernel_choose()->project);
+	cni_tree_batches_run(world, s, CNI_TREES_BEGIN);
 }
 
 /* ---- a lane as a component of its own ---- */

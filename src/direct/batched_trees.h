@@ -25,7 +25,7 @@ typedef struct cni_tree_batch {
 	const int32_t *first, *below;
 	int32_t node_first, block_first;
 	int32_t coupling_count;
-	int32_t lanes, moving;                 /* moving: number of movable bodies of each tree */
+	int32_t lanes;
 	uint32_t selected, opening;            /* lanes, as bits, of trees to check and of trees that open: see cni_projection */
 	cni_topology tree;
 	uint8_t order[CNI_TOPOLOGY_NODES];         /* nodes by colour */
@@ -34,21 +34,18 @@ typedef struct cni_tree_batch {
 } cni_tree_batch;
 
 typedef struct cni_tree_batch_pass {
+	cni_motion *motions;
+	cni_velocity_start *starts;
 	cni_joint_pass joint;
 	float rate, push; /* part of a gap that is closed in a second, and the greatest closing speed */
 	float opening_speed; /* largest speed of an opening pin after contacts */
 	float turn_least; /* radians a second: slower arms stay on the tangent */
 } cni_tree_batch_pass;
 
-typedef void cni_tree_batch_kernel_fn(cni_motion *motions, cni_velocity_start *starts, cni_tree_batch *batch, const cni_tree_batch_pass *pass);
+typedef void cni_tree_batch_fn(cni_tree_batch *batch, const cni_tree_batch_pass *pass);
 
-typedef struct cni_tree_batch_kernel {
-	cni_tree_batch_kernel_fn *begin; /* factors the systems */
-	cni_tree_batch_kernel_fn *warm;
-	cni_tree_batch_kernel_fn *solve;
-	cni_tree_batch_kernel_fn *relax;
-	cni_tree_batch_kernel_fn *project; /* after contacts: solves the lanes of batch->selected that open, and sets batch->opening */
-} cni_tree_batch_kernel;
+/* By pass: CNI_TREES_ of direct_system.h. */
+typedef cni_tree_batch_fn *cni_tree_batch_kernel[CNI_TREES_PASSES];
 
 extern const cni_tree_batch_kernel cni_tree_batch_kernel_plain; /* width 1: any compiler */
 extern const cni_tree_batch_kernel cni_tree_batch_kernel_4;     /* SSE2, NEON, WASM SIMD */

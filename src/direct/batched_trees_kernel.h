@@ -40,7 +40,7 @@ CNI_INLINE void tree_bodies_scatter(cni_motion *motions, const cni_tree_batch *b
 {
 	uint32_t lanes = lanes_from(batch, l);
 	int32_t k;
-	for (k = 0; k < batch->moving; ++k)
+	for (k = 0; k < batch->tree.bodies; ++k)
 		side_scatter(motions, body_index(batch, k, l), lanes, &f->body[k]);
 }
 
@@ -219,6 +219,11 @@ CNI_INLINE pair pivot_apply(const matrix *m, const pair *x)
 	return z;
 }
 
+CNI_INLINE cni_wide clamped(cni_wide x, float most)
+{
+	return cni_wide_min(cni_wide_max(x, cni_wide_of(-most)), cni_wide_of(most));
+}
+
 /* Right side of a pin: minus its speed, and minus its gap at this rate, no faster than overlaps are pushed apart: trees whose bodies
    are caught behind others, pulled without a limit, throw them (a room of 30 bodies gained 20% of energy). */
 CNI_INLINE pair right_side(const cni_joint_block *k, int32_t l, const side *a, const side *b, float rate, float most)
@@ -228,8 +233,8 @@ CNI_INLINE pair right_side(const cni_joint_block *k, int32_t l, const side *a, c
 	x.x = -(-a->vx + r.ay * a->w + b->vx - r.by * b->w);
 	x.y = -(-a->vy - r.ax * a->w + b->vy + r.bx * b->w);
 	if (rate > 0.0f) {
-		x.x -= cni_wide_min(cni_wide_max(rate * cni_wide_load(k->ex + l), cni_wide_of(-most)), cni_wide_of(most));
-		x.y -= cni_wide_min(cni_wide_max(rate * cni_wide_load(k->ey + l), cni_wide_of(-most)), cni_wide_of(most));
+		x.x -= clamped(rate * cni_wide_load(k->ex + l), most);
+		x.y -= clamped(rate * cni_wide_load(k->ey + l), most);
 	}
 	return x;
 }
@@ -307,26 +312,23 @@ CNI_INLINE void pins_solve(cni_tree_batch *batch, int32_t l, tree_bodies *f, pai
 
 /* ---- passes ---- */
 
-static void batch_begin(cni_motion *motions, cni_velocity_start *starts, cni_tree_batch *batch, const cni_tree_batch_pass *pass)
+static void batch_begin(cni_tree_batch *batch, const cni_tree_batch_pass *pass)
 {
 	int32_t l;
-	(void)starts;
-	(void)pass;
 	for (l = 0; l < batch->lanes; l += CNI_WIDTH) {
 		tree_bodies f;
-		tree_bodies_gather(motions, batch, l, &f);
+		tree_bodies_gather(pass->motions, batch, l, &f);
 		system_factor(batch, l, &f);
 	}
 }
 
-static void batch_warm(cni_motion *motions, cni_velocity_start *starts, cni_tree_batch *batch, const cni_tree_batch_pass *pass)
+static void batch_warm(cni_tree_batch *batch, const cni_tree_batch_pass *pass)
 {
 	float scale = pass->joint.warm_scale;
 	int32_t l, n;
-	(void)starts;
 	for (l = 0; l < batch->lanes; l += CNI_WIDTH) {
 		tree_bodies f;
-		tree_bodies_gather(motions, batch, l, &f);
+		tree_bodies_gather(pass->motions, batch, l, &f);
 		for (n = 0; n < batch->tree.nodes; ++n) {
 			int32_t node = batch->order[n];
 			cni_joint_block *k = &batch->nodes[node];
@@ -334,7 +336,7 @@ static void batch_warm(cni_motion *motions, cni_velocity_start *starts, cni_tree
 			cni_wide jx = impulse_warm(k->jx + l, scale), jy = impulse_warm(k->jy + l, scale), t = measure_warm(k, l, scale);
 			push(&f.body[batch->tree.end[node][0]], &f.body[batch->tree.end[node][1]], &r, jx, jy, t);
 		}
-		tree_bodies_scatter(motions, batch, l, &f);
+		tree_bodies_scatter(pass->motions, batch, l, &f);
 	}
 }
 
@@ -359,15 +361,14 @@ CNI_INLINE void node_solve(cni_tree_batch *batch, int32_t node, int32_t l, tree_
 }
 
 /* The pin impulses of springs, motors and limits are kept in `induced` until positions have moved. */
-static void batch_solve(cni_motion *motions, cni_velocity_start *starts, cni_tree_batch *batch, const cni_tree_batch_pass *pass)
+static void batch_solve(cni_tree_batch *batch, const cni_tree_batch_pass *pass)
 {
 	int32_t l, n;
-	(void)starts;
 	for (l = 0; l < batch->lanes; l += CNI_WIDTH) {
 		tree_bodies f;
 		pair induced, x[CNI_TOPOLOGY_NODES];
 		int32_t single = has_single(batch, l);
-		tree_bodies_gather(motions, batch, l, &f);
+		tree_bodies_gather(pass->motions, batch, l, &f);
 		for (n = 0; n < batch->tree.nodes; ++n) {
 			int32_t node = batch->order[n];
 			arms r = arms_load(&batch->nodes[node], l);
@@ -377,7 +378,7 @@ static void batch_solve(cni_motion *motions, cni_velocity_start *starts, cni_tre
 		}
 		right_sides(batch, l, &f, pass->rate, pass->push, x);
 		pins_solve(batch, l, &f, x, ~0u);
-		tree_bodies_scatter(motions, batch, l, &f);
+		tree_bodies_scatter(pass->motions, batch, l, &f);
 	}
 }
 
@@ -391,11 +392,6 @@ CNI_INLINE pair drift(cni_wide rx, cni_wide ry, cni_wide turn)
 	p.x = c1 * rx - (s - turn) * ry;
 	p.y = c1 * ry + (s - turn) * rx;
 	return p;
-}
-
-CNI_INLINE cni_wide clamped(cni_wide x, float most)
-{
-	return cni_wide_min(cni_wide_max(x, cni_wide_of(-most)), cni_wide_of(most));
 }
 
 CNI_INLINE void drift_add(const cni_joint_block *k, int32_t l, const side *a, const side *b, const cni_tree_batch_pass *pass, pair *x)
@@ -413,11 +409,10 @@ CNI_INLINE void drift_add(const cni_joint_block *k, int32_t l, const side *a, co
 }
 
 /* Solves those lanes of batch->selected again whose pins open faster than the pass allows. */
-static void batch_project(cni_motion *motions, cni_velocity_start *starts, cni_tree_batch *batch, const cni_tree_batch_pass *pass)
+static void batch_project(cni_tree_batch *batch, const cni_tree_batch_pass *pass)
 {
 	const cni_wide most = cni_wide_of(pass->opening_speed);
 	int32_t l, k;
-	(void)starts;
 	batch->opening = 0;
 	for (l = 0; l < batch->lanes; l += CNI_WIDTH) {
 		uint32_t selected = batch->selected & batch->nodes[0].direct, opening = 0;
@@ -426,7 +421,7 @@ static void batch_project(cni_motion *motions, cni_velocity_start *starts, cni_t
 		selected = selected >> l & ((1u << CNI_WIDTH) - 1u);
 		if (selected == 0)
 			continue;
-		tree_bodies_gather(motions, batch, l, &f);
+		tree_bodies_gather(pass->motions, batch, l, &f);
 		right_sides(batch, l, &f, pass->rate, pass->push, x);
 		for (k = 0; k < batch->tree.nodes; ++k) {
 			drift_add(&batch->nodes[k], l, &f.body[batch->tree.end[k][0]], &f.body[batch->tree.end[k][1]], pass, &x[k]);
@@ -437,7 +432,7 @@ static void batch_project(cni_motion *motions, cni_velocity_start *starts, cni_t
 			continue;
 		batch->opening |= opening << l;
 		pins_solve(batch, l, &f, x, opening);
-		tree_bodies_scatter(motions, batch, l, &f);
+		tree_bodies_scatter(pass->motions, batch, l, &f);
 	}
 }
 
@@ -461,7 +456,7 @@ CNI_INLINE void tree_motion_scatter(cni_velocity_start *starts, const cni_tree_b
 {
 	uint32_t lanes = lanes_from(batch, l);
 	int32_t k;
-	for (k = 0; k < batch->moving; ++k)
+	for (k = 0; k < batch->tree.bodies; ++k)
 		moving_scatter((float *)(void *)starts, START_FLOATS, body_index(batch, k, l), lanes, j->vx[k], j->vy[k], j->w[k], j->jumped[k]);
 }
 
@@ -474,7 +469,7 @@ CNI_INLINE cni_wide induced_add(float *impulse, float *induced)
 	return sum;
 }
 
-static void batch_relax(cni_motion *motions, cni_velocity_start *starts, cni_tree_batch *batch, const cni_tree_batch_pass *pass)
+static void batch_relax(cni_tree_batch *batch, const cni_tree_batch_pass *pass)
 {
 	int32_t l, n;
 	for (l = 0; l < batch->lanes; l += CNI_WIDTH) {
@@ -482,8 +477,8 @@ static void batch_relax(cni_motion *motions, cni_velocity_start *starts, cni_tre
 		tree_motion j;
 		pair x[CNI_TOPOLOGY_NODES];
 		int32_t single = has_single(batch, l);
-		tree_bodies_gather(motions, batch, l, &f);
-		tree_motion_gather(motions, starts, batch, l, &j);
+		tree_bodies_gather(pass->motions, batch, l, &f);
+		tree_motion_gather(pass->motions, pass->starts, batch, l, &j);
 		for (n = 0; n < batch->tree.nodes; ++n) {
 			int32_t node = batch->order[n], a = batch->tree.end[node][0], b = batch->tree.end[node][1];
 			cni_joint_block *k = &batch->nodes[node];
@@ -496,11 +491,11 @@ static void batch_relax(cni_motion *motions, cni_velocity_start *starts, cni_tre
 			impulse_add(k->jx + l, induced.x);
 			impulse_add(k->jy + l, induced.y);
 		}
-		tree_motion_scatter(starts, batch, l, &j);
+		tree_motion_scatter(pass->starts, batch, l, &j);
 		system_factor(batch, l, &f);
 		right_sides(batch, l, &f, 0.0f, 0.0f, x);
 		pins_solve(batch, l, &f, x, ~0u);
-		tree_bodies_scatter(motions, batch, l, &f);
+		tree_bodies_scatter(pass->motions, batch, l, &f);
 	}
 }
 

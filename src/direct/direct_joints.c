@@ -328,7 +328,7 @@ static void component_refresh(cn_world *world, const cni_solve *s, cni_component
 
 void cni_direct_warm_start(cn_world *world, const cni_solve *s)
 {
-	cni_tree_batches_warm(world, s);
+	cni_tree_batches_run(world, s, CNI_TREES_WARM);
 }
 
 void cni_direct_solve(cn_world *world, const cni_solve *s, int32_t bias)
@@ -336,10 +336,7 @@ void cni_direct_solve(cn_world *world, const cni_solve *s, int32_t bias)
 	int32_t k;
 	if (s->direct == NULL)
 		return;
-	if (bias)
-		cni_tree_batches_solve(world, s);
-	else
-		cni_tree_batches_relax(world, s);
+	cni_tree_batches_run(world, s, bias ? CNI_TREES_SOLVE : CNI_TREES_RELAX);
 	for (k = 0; k < s->direct->component_count; ++k) {
 		cni_component *c = &s->direct->components[k];
 		if (c->done || c->batches)

@@ -110,11 +110,10 @@ void cni_active_impulses_add(const cn_world *world, const cni_sparse *sparse, co
 int32_t cni_component_is_batched(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c);
 /* Makes batches of all components whose `batches` is set; components without a batch begin as single ones. */
 void cni_tree_batches_make(cn_world *world, const cni_solve *s, cni_sparse *sparse);
-void cni_tree_batches_warm(cn_world *world, const cni_solve *s);
-void cni_tree_batches_solve(cn_world *world, const cni_solve *s);
-void cni_tree_batches_relax(cn_world *world, const cni_solve *s);
-/* After contacts: solves lanes again that contacts would open. direct/joint_projection.c */
-void cni_tree_batches_project(cn_world *world, const cni_solve *s);
+/* Passes: factors the systems; warm start; with error correction and rigid; after contacts: solves the lanes of batch->selected again that
+   contacts would open, and sets batch->opening (direct/joint_projection.c). */
+enum { CNI_TREES_BEGIN, CNI_TREES_WARM, CNI_TREES_SOLVE, CNI_TREES_RELAX, CNI_TREES_PROJECT, CNI_TREES_PASSES };
+void cni_tree_batches_run(cn_world *world, const cni_solve *s, int32_t pass);
 /* Reads the levers and gaps of a batched component from its lane, for cni_component_lock; then adds the impulses of the nodes to the lane. */
 void cni_tree_lane_read(const cni_solve *s, cni_component *c);
 void cni_tree_lane_add(const cni_solve *s, const cni_component *c);

@@ -212,7 +212,7 @@ static int32_t projections_run(cn_world *world, const cni_solve *s, int32_t roun
 {
 	int32_t k, opening = 0;
 	projections_select(s->direct, round);
-	cni_tree_batches_project(world, s);
+	cni_tree_batches_run(world, s, CNI_TREES_PROJECT);
 	for (k = 0; k < s->direct->projection_count; ++k) {
 		cni_projection *p = &s->direct->projections[k];
 		cni_component *c = &s->direct->components[p->component];
