@@ -33,11 +33,6 @@ static float target_speed(const cni_row *r, const cni_solve *s, const cni_push_s
 
 /* ---- which rows ---- */
 
-static int32_t limit_is_near(const cni_row *r, const cni_motion *a, const cni_motion *b, float dt)
-{
-	return r->error < CNI_LIMIT_ROOM + 2.0f * dt * cni_abs(cni_row_speed(r, a, b));
-}
-
 /* Index of the chosen row in the joint constraint, 0: none. */
 static int32_t row_choose(const cni_joint_constraint *w, const cni_motion *motions, float dt)
 {
@@ -45,7 +40,7 @@ static int32_t row_choose(const cni_joint_constraint *w, const cni_motion *motio
 	for (k = w->rigid_count; k < w->row_count; ++k) {
 		if (w->rows[k].kind == CNI_ROW_MOTOR && w->rows[k].limit > 0.0f)
 			chosen = k;
-		if (w->rows[k].kind == CNI_ROW_LIMIT && limit_is_near(&w->rows[k], motions + w->ia, motions + w->ib, dt))
+		if (w->rows[k].kind == CNI_ROW_LIMIT && cni_limit_is_near(&w->rows[k], motions + w->ia, motions + w->ib, dt))
 			return k;
 	}
 	return chosen;

@@ -90,6 +90,11 @@ static inline cni_row *cni_active_row(const cn_world *world, const cni_node *n)
 	const cni_joint_constraint *w = cni_joint_constraints(world) + n->owner;
 	return &w->rows[w->active_row];
 }
+/* 1: the limit may act in a step of this length. */
+static inline int32_t cni_limit_is_near(const cni_row *r, const cni_motion *a, const cni_motion *b, float dt)
+{
+	return r->error < CNI_LIMIT_ROOM + 2.0f * dt * cni_abs(cni_row_speed(r, a, b));
+}
 static inline float cni_active_impulse_most(const cni_row *r, const cni_solve *s)
 {
 	return r->kind == CNI_ROW_MOTOR ? r->limit * s->h : FLT_MAX;

@@ -46,10 +46,7 @@ static int32_t constraint_is_rigid(const cni_joint_constraint *w, const cni_moti
 	const cni_motion *a = motions + w->ia, *b = motions + w->ib;
 	int32_t k;
 	for (k = w->rigid_count; k < w->row_count; ++k) {
-		const cni_row *r = &w->rows[k];
-		cni_lever l = cni_row_lever(r);
-		float speed = cni_lever_speed(&l, a, b);
-		if (r->kind != CNI_ROW_LIMIT || r->error < CNI_LIMIT_ROOM + 2.0f * dt * cni_abs(speed))
+		if (w->rows[k].kind != CNI_ROW_LIMIT || cni_limit_is_near(&w->rows[k], a, b, dt))
 			return 0;
 	}
 	return 1;
@@ -494,7 +491,7 @@ static void trust_write(const rattle_step *g, const cni_joint_trust *trust)
 	}
 }
 
-/* Runs all substeps, or stops at the first that fails. */
+/* Runs all substeps, or stops at the first that fails. Returns 1 when none did. */
 static int32_t substeps_run(rattle_step *g, const cni_solve *s, int32_t substeps, int32_t projects)
 {
 	int32_t k, moving = cni_component_held(g->world, g->sparse, g->c) > 0;
@@ -505,59 +502,50 @@ static int32_t substeps_run(rattle_step *g, const cni_solve *s, int32_t substeps
 			last_substep_begins(g, s);
 		how = projects ? substep_project(g) : substep(g);
 		if (how == BROKEN || (how == OPEN && !(projects && g->c->loops)))
-			return how;
+			return 0;
 		constraints_stress(g);
 		if (moving)
 			g->base_work += cni_rattle_base_work(g);
 	}
 	g->energy_error = cni_rattle_energy_error(g, s);
-	return CLOSED_WELL;
+	return 1;
 }
 
-/* Tries a step by RATTLE with this number of substeps. */
-static int32_t rattle_try(rattle_step *g, const cni_solve *s, cni_component *c, int32_t substeps, cni_joint_trust *t)
+/* Does a step by RATTLE gain no more energy than it may? NaN does not fit. */
+static int32_t gain_fits(const rattle_step *g, float before, float allowed, float gained)
+{
+	return gained <= CNI_RATTLE_ENERGY_PART * before + allowed + g->energy_error;
+}
+
+/* Projections cannot raise kinetic energy: any gain is rounding. Moving bases may do any work. */
+static int32_t projection_fits(const rattle_step *g, float before, float allowed)
+{
+	float most = cni_sq(cni_sqrt(before) + cni_sqrt(allowed)); /* in the norm of kinetic energy */
+	return cni_rattle_kinetic(g) <= (1.0f + CNI_RATTLE_ENERGY_PART) * most || g->base_work != 0.0f;
+}
+
+/* Tries a step by RATTLE, or by projections, with this number of substeps. */
+static int32_t step_try(rattle_step *g, const cni_solve *s, cni_component *c, int32_t substeps, int32_t projects, cni_joint_trust *t)
 {
 	float before, allowed, gained;
-	int32_t how;
 	g->h = s->dt / (float)substeps;
-	impulses_reset(g, s->warm_scale * g->h / s->h);
-	cni_geometric_stiffness_begin(g->world, g->sparse, c, g->h);
-	g->warm = c->damps ? 0.0f : 0.5f;
-	cni_geometric_stiffness_damp(g->world, g->sparse, c, g->h);
+	impulses_reset(g, projects ? 0.0f : s->warm_scale * g->h / s->h);
+	if (!projects) {
+		cni_geometric_stiffness_begin(g->world, g->sparse, c, g->h);
+		g->warm = c->damps ? 0.0f : 0.5f;
+		cni_geometric_stiffness_damp(g->world, g->sparse, c, g->h);
+	}
 	cni_direct_refresh(g->world, g->sparse, c);
 	before = cni_rattle_energy(g); /* no work has been done at the beginning of a step */
 	g->closing = cni_rattle_closing_speed(g);
 	allowed = cni_rattle_energy_allowed(g, s->dt);
-	how = substeps_run(g, s, substeps, 0);
-	if (how != CLOSED_WELL)
-		return how;
+	if (!substeps_run(g, s, substeps, projects))
+		return 0;
 	gained = cni_rattle_energy(g) - before - g->base_work;
-	/* Written so that NaN fails too. */
-	if (!(gained <= CNI_RATTLE_ENERGY_PART * before + allowed + g->energy_error))
-		return BROKEN;
+	if (!(projects ? projection_fits(g, before, allowed) : gain_fits(g, before, allowed, gained)))
+		return 0;
 	cni_rattle_account(g, t, gained);
-	return CLOSED_WELL;
-}
-
-/* Projections cannot raise kinetic energy: any gain is rounding. */
-static int32_t project_try(rattle_step *g, const cni_solve *s, cni_component *c, cni_joint_trust *t)
-{
-	float before, most;
-	int32_t how;
-	g->h = s->dt / (float)cni_max_i(CNI_RATTLE_SUBSTEPS_FIRM, s->substeps);
-	impulses_reset(g, 0.0f);
-	cni_direct_refresh(g->world, g->sparse, c);
-	before = cni_rattle_energy(g);
-	g->closing = cni_rattle_closing_speed(g);
-	most = cni_sqrt(before) + cni_sqrt(cni_rattle_energy_allowed(g, s->dt)); /* in the norm of kinetic energy */
-	most *= most;
-	how = substeps_run(g, s, cni_max_i(CNI_RATTLE_SUBSTEPS_FIRM, s->substeps), 1);
-	if (how != CLOSED_WELL)
-		return how;
-	if (!(cni_rattle_kinetic(g) <= (1.0f + CNI_RATTLE_ENERGY_PART) * most) && g->base_work == 0.0f)
-		return BROKEN;
-	cni_rattle_account(g, t, cni_rattle_energy(g) - before - g->base_work);
-	return CLOSED_WELL;
+	return 1;
 }
 
 /* Returns the joints to the soft solver for this step and for some time. */
@@ -590,7 +578,7 @@ static int32_t rattle_run(rattle_step *g, const cni_solve *s, cni_component *c, 
 {
 	cni_joint_trust before = *t;
 	do {
-		if (rattle_try(g, s, c, substeps, t) == CLOSED_WELL)
+		if (step_try(g, s, c, substeps, 0, t))
 			return 1;
 		*t = before;
 		step_undo(g);
@@ -617,7 +605,7 @@ static void component_run(cn_world *world, const cni_solve *s, cni_component *c)
 	if (projects || !rattle_run(&g, s, c, substeps_of(&g, s, rods), &trust)) {
 		if (!projects)
 			cni_trust_fail(world, &trust, 0);
-		if (project_try(&g, s, c, &trust) != CLOSED_WELL) {
+		if (!step_try(&g, s, c, cni_max_i(CNI_RATTLE_SUBSTEPS_FIRM, s->substeps), 1, &trust)) {
 			step_undo(&g);
 			joints_release(&g, s, &trust);
 			trust_write(&g, &trust);

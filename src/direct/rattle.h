@@ -33,7 +33,6 @@ float cni_rattle_kinetic(const rattle_step *g);
 float cni_rattle_energy(const rattle_step *g);
 /* Energy that a step of free fall and of gap closing may add from rest. */
 float cni_rattle_energy_allowed(const rattle_step *g, float dt);
-/* h^2 m a^2 / 4 of the last substep: bound on the method's energy error. */
 float cni_rattle_energy_error(const rattle_step *g, const cni_solve *s);
 /* Work of moving bodies without mass at the component's joints in a substep. */
 float cni_rattle_base_work(const rattle_step *g);

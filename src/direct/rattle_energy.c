@@ -17,9 +17,10 @@ float cni_rattle_closing_speed(const rattle_step *g)
 	return most > CNI_RATTLE_OLD_GAP * g->closed ? CNI_RATTLE_CLOSING_RATE * most / g->h : 0.0f;
 }
 
-static float inverse_or_zero(float x)
+/* Twice the kinetic energy of a body at this velocity. */
+static float twice_kinetic(const cni_motion *m, float vx, float vy, float w)
 {
-	return x > 0.0f ? 1.0f / x : 0.0f;
+	return cni_inverse_or_zero(m->inv_mass) * (vx * vx + vy * vy) + cni_inverse_or_zero(m->inv_inertia) * w * w;
 }
 
 float cni_rattle_kinetic(const rattle_step *g)
@@ -28,7 +29,7 @@ float cni_rattle_kinetic(const rattle_step *g)
 	int32_t k;
 	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
 		const cni_motion *m = g->motions + g->sparse->bodies[k];
-		sum += inverse_or_zero(m->inv_mass) * (m->vx * m->vx + m->vy * m->vy) + inverse_or_zero(m->inv_inertia) * m->w * m->w;
+		sum += twice_kinetic(m, m->vx, m->vy, m->w);
 	}
 	return 0.5f * sum;
 }
@@ -40,8 +41,8 @@ float cni_rattle_energy(const rattle_step *g)
 	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
 		const cni_motion *m = g->motions + g->sparse->bodies[k];
 		const cni_external *d = cni_externals(g->world) + g->sparse->bodies[k];
-		sum += inverse_or_zero(m->inv_mass) * (0.5f * (m->vx * m->vx + m->vy * m->vy) - (d->ax * m->dpx + d->ay * m->dpy)) +
-		       inverse_or_zero(m->inv_inertia) * (0.5f * m->w * m->w - d->alpha * m->theta);
+		sum += cni_inverse_or_zero(m->inv_mass) * (0.5f * (m->vx * m->vx + m->vy * m->vy) - (d->ax * m->dpx + d->ay * m->dpy)) +
+		       cni_inverse_or_zero(m->inv_inertia) * (0.5f * m->w * m->w - d->alpha * m->theta);
 	}
 	return sum;
 }
@@ -53,18 +54,10 @@ float cni_rattle_energy_allowed(const rattle_step *g, float dt)
 	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
 		const cni_motion *m = g->motions + g->sparse->bodies[k];
 		const cni_external *d = cni_externals(g->world) + g->sparse->bodies[k];
-		sum += 0.5f * inverse_or_zero(m->inv_mass) * (dt * dt * (d->ax * d->ax + d->ay * d->ay) + g->closing * g->closing) +
-		       0.5f * inverse_or_zero(m->inv_inertia) * dt * dt * d->alpha * d->alpha;
+		sum += 0.5f * cni_inverse_or_zero(m->inv_mass) * (dt * dt * (d->ax * d->ax + d->ay * d->ay) + g->closing * g->closing) +
+		       0.5f * cni_inverse_or_zero(m->inv_inertia) * dt * dt * d->alpha * d->alpha;
 	}
 	return sum;
-}
-
-/* ---- energy ---- */
-
-/* Twice the kinetic energy of a change of velocity. */
-static float kinetic_of_change(const cni_motion *m, float vx, float vy, float w)
-{
-	return inverse_or_zero(m->inv_mass) * (vx * vx + vy * vy) + inverse_or_zero(m->inv_inertia) * w * w;
 }
 
 /*
@@ -82,7 +75,7 @@ float cni_rattle_energy_error(const rattle_step *g, const cni_solve *s)
 		const cni_motion *m = g->motions + index;
 		const cni_external *d = cni_externals(g->world) + index;
 		const cni_velocity_start *start = cni_starts(g->world) + index;
-		sum += kinetic_of_change(m, m->vx - start->vx + s->h * d->ax, m->vy - start->vy + s->h * d->ay, m->w - start->w + s->h * d->alpha);
+		sum += twice_kinetic(m, m->vx - start->vx + s->h * d->ax, m->vy - start->vy + s->h * d->ay, m->w - start->w + s->h * d->alpha);
 	}
 	return sum * last * last / 4.0f;
 }
@@ -133,7 +126,7 @@ static rigid_motion rigid_of(const rattle_step *g)
 	int32_t turns = 1, k;
 	for (k = g->c->body_begin; k < g->c->body_end && !r.fixed; ++k) {
 		const cni_motion *m = g->motions + g->sparse->bodies[k];
-		float mass = inverse_or_zero(m->inv_mass);
+		float mass = cni_inverse_or_zero(m->inv_mass);
 		cni_vec2 p = place_of(g, g->sparse->bodies[k]);
 		r.mass += mass;
 		r.x += mass * p.x;
@@ -149,7 +142,7 @@ static rigid_motion rigid_of(const rattle_step *g)
 	r.vy /= r.mass;
 	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
 		const cni_motion *m = g->motions + g->sparse->bodies[k];
-		float mass = inverse_or_zero(m->inv_mass), inertia = inverse_or_zero(m->inv_inertia);
+		float mass = cni_inverse_or_zero(m->inv_mass), inertia = cni_inverse_or_zero(m->inv_inertia);
 		cni_vec2 p = place_of(g, g->sparse->bodies[k]);
 		float x = p.x - r.x, y = p.y - r.y;
 		turns &= m->inv_inertia > 0.0f;
@@ -181,7 +174,7 @@ static float inner_energy(const rattle_step *g, const rigid_motion *r)
 	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
 		const cni_motion *m = g->motions + g->sparse->bodies[k];
 		cni_velocity_start v = velocity_in(g, r, g->sparse->bodies[k]);
-		sum += kinetic_of_change(m, m->vx - v.vx, m->vy - v.vy, m->w - v.w);
+		sum += twice_kinetic(m, m->vx - v.vx, m->vy - v.vy, m->w - v.w);
 	}
 	return 0.5f * sum;
 }
@@ -219,7 +212,7 @@ static float rounding_of_positions(const rattle_step *g)
 		const cni_external *d = cni_externals(g->world) + g->sparse->bodies[k];
 		const cni_body *b = cni_body_at(g->world, cni_awake_ids(g->world)[g->sparse->bodies[k]]);
 		float way = 4.0f * g->closed + 4.0f * FLT_EPSILON * (cni_abs(b->cx) + cni_abs(b->cy) + b->extent);
-		sum += inverse_or_zero(m->inv_mass) * way * (cni_abs(d->ax) + cni_abs(d->ay));
+		sum += cni_inverse_or_zero(m->inv_mass) * way * (cni_abs(d->ax) + cni_abs(d->ay));
 	}
 	return sum;
 }
