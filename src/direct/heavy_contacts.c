@@ -28,18 +28,13 @@
 
 #define INVERSE_MASS_LEAST 1e-4f /* of a row, as a part of that of the free bodies: less is rounding */
 
-static float row_speed(const cni_direct_contact *p, int32_t row, const cni_motion *a, const cni_motion *b)
-{
-	cni_lever l = cni_direct_contact_lever(p, row);
-	return cni_lever_speed(&l, a, b);
-}
-
 /* ---- the response of the joints ---- */
 
-/* A contact's lane, and changes of velocity of its two bodies; rest stands for all others. */
+/* A contact as it is in its lane, and changes of velocity of its two bodies; rest stands for all others. */
 typedef struct changes {
+	cni_direct_contact p;
 	cni_contact_block *block;
-	int32_t l, ia, ib;
+	int32_t ia, ib;
 	cni_motion a, b, rest;
 } changes;
 
@@ -50,18 +45,28 @@ static cni_motion at_rest(const cni_motion *m)
 	return still;
 }
 
+static void changes_clear(const cn_world *world, changes *d)
+{
+	d->a = at_rest(cni_motions(world) + d->ia);
+	d->b = at_rest(cni_motions(world) + d->ib);
+	memset(&d->rest, 0, sizeof d->rest);
+}
+
 static changes changes_begin(const cn_world *world, int32_t contact)
 {
-	int32_t slot = cni_contact_at(world, contact)->slot;
 	changes d;
-	d.block = cni_block_at(world, slot / CNI_LANES);
-	d.l = slot % CNI_LANES;
-	d.ia = d.block->ia[d.l];
-	d.ib = d.block->ib[d.l];
-	d.a = at_rest(cni_motions(world) + d.ia);
-	d.b = at_rest(cni_motions(world) + d.ib);
-	memset(&d.rest, 0, sizeof d.rest);
+	cni_direct_contact_read(world, cni_contact_at(world, contact), &d.p);
+	d.block = cni_block_at(world, d.p.block);
+	d.ia = d.block->ia[d.p.lane];
+	d.ib = d.block->ib[d.p.lane];
+	changes_clear(world, &d);
 	return d;
+}
+
+static float row_speed(const cni_direct_contact *p, int32_t row, const cni_motion *a, const cni_motion *b)
+{
+	cni_lever l = cni_direct_contact_lever(p, row);
+	return cni_lever_speed(&l, a, b);
 }
 
 static cni_motion *change_of(changes *d, int32_t index)
@@ -103,37 +108,27 @@ static float turn_of(const cn_world *world, const cni_sparse *sparse, const cni_
 	return most;
 }
 
-static float mass_of(const cni_motion *m)
-{
-	return m->inv_mass > 0.0f ? 1.0f / m->inv_mass : 0.0f;
-}
-
-/* A contact that is pressed harder than this is pressed by what cannot give way, and its impulse would grow from pass to pass: beyond, the
-   kernel alone raises it, as if the joints were not there. */
-static float impulse_most(const cn_world *world, const cni_heavy_contact *h, float component_mass)
-{
-	changes d = changes_begin(world, h->contact);
-	return CNI_HEAVY_SPEED_MOST * world->settings.push_speed_max * (component_mass + mass_of(&d.a) + mass_of(&d.b));
-}
-
+/* A contact that is pressed harder than impulse_most is pressed by what cannot give way, and its impulse would grow from pass to pass:
+   beyond, the kernel alone raises it, as if the joints were not there. */
 static void response_find(const cn_world *world, cni_sparse *sparse, cni_heavy_contact *h, float component_mass)
 {
-	cni_direct_contact p;
+	changes d = changes_begin(world, h->contact);
+	const cni_direct_contact *p = &d.p;
+	float least = sparse->projection_of[d.ia] == sparse->projection_of[d.ib] ? 1.0f : INVERSE_MASS_LEAST;
 	int32_t row, k;
-	cni_direct_contact_read(world, cni_contact_at(world, h->contact), &p);
 	h->turn_most = FLT_MAX;
-	h->impulse_most = impulse_most(world, h, component_mass);
+	h->impulse_most = CNI_HEAVY_SPEED_MOST * world->settings.push_speed_max *
+		(component_mass + cni_inverse_or_zero(d.a.inv_mass) + cni_inverse_or_zero(d.b.inv_mass));
 	for (row = 0; row < 3; ++row) {
-		changes d = changes_begin(world, h->contact);
-		float least = sparse->projection_of[d.ia] == sparse->projection_of[d.ib] ? 1.0f : INVERSE_MASS_LEAST;
-		if (p.mass[row] <= 0.0f)
+		if (p->mass[row] <= 0.0f)
 			continue;
-		cni_direct_contact_push(&p, row, p.mass[row], &d.a, &d.b);
+		changes_clear(world, &d);
+		cni_direct_contact_push(p, row, p->mass[row], &d.a, &d.b);
 		response_add(sparse, &sparse->components[h->component], &d);
 		for (k = 0; k < 3; ++k)
-			h->k[k][row] = row_speed(&p, k, &d.a, &d.b) / p.mass[row];
-		h->k[row][row] = cni_max(h->k[row][row], least / p.mass[row]);
-		h->turn_most = cni_min(h->turn_most, CNI_HEAVY_TURN_PART * cni_sqrt(p.mass[row] * h->k[row][row]));
+			h->k[k][row] = row_speed(p, k, &d.a, &d.b) / p->mass[row];
+		h->k[row][row] = cni_max(h->k[row][row], least / p->mass[row]);
+		h->turn_most = cni_min(h->turn_most, CNI_HEAVY_TURN_PART * cni_sqrt(p->mass[row] * h->k[row][row]));
 	}
 	h->turn_most += turn_of(world, sparse, &sparse->components[h->component]);
 }
@@ -149,7 +144,7 @@ static void responses_find(cn_world *world, const cni_solve *s, cni_sparse *spar
 		cni_sparse_factor(sparse, c, cni_motions(world));
 	}
 	for (k = c->body_begin; k < c->body_end; ++k)
-		mass += mass_of(cni_motions(world) + sparse->bodies[k]);
+		mass += cni_inverse_or_zero(cni_motions(world)[sparse->bodies[k]].inv_mass);
 	for (k = begin; k < end; ++k)
 		response_find(world, sparse, &sparse->heavies[k], mass);
 	if (c->active)
@@ -159,8 +154,9 @@ static void responses_find(cn_world *world, const cni_solve *s, cni_sparse *spar
 /* ---- which contacts ---- */
 
 /* Newton's law with the speed at which the point meets, as in contacts/restitution.c; 0: it does not meet in this step as fast as bounces do. */
-static float bounce_speed(const cn_world *world, const cni_solve *s, const cni_direct_contact *p, int32_t point, const changes *d, float restitution)
+static float bounce_speed(const cn_world *world, const cni_solve *s, int32_t point, const changes *d, float restitution)
 {
+	const cni_direct_contact *p = &d->p;
 	const cni_motion *a = cni_motions(world) + d->ia, *b = cni_motions(world) + d->ib;
 	const cni_external *ea = cni_externals(world) + d->ia, *eb = cni_externals(world) + d->ib;
 	float gap = cni_direct_contact_separation(p, point, a, b), speed = row_speed(p, point, a, b);
@@ -186,10 +182,8 @@ static cni_heavy_contact heavy_make(const cn_world *world, const cni_solve *s, i
 	h.restitution = *lane_restitution(world, contact);
 	if (h.restitution > 0.0f) {
 		changes d = changes_begin(world, contact);
-		cni_direct_contact p;
-		cni_direct_contact_read(world, cni_contact_at(world, contact), &p);
-		h.bounce[0] = bounce_speed(world, s, &p, 0, &d, h.restitution);
-		h.bounce[1] = bounce_speed(world, s, &p, 1, &d, h.restitution);
+		h.bounce[0] = bounce_speed(world, s, 0, &d, h.restitution);
+		h.bounce[1] = bounce_speed(world, s, 1, &d, h.restitution);
 	}
 	return h;
 }
@@ -205,11 +199,10 @@ static int32_t is_free(const cn_world *world, const cni_body *other)
 /* Do the joints bear an impact with it? */
 static int32_t is_borne(const cn_world *world, const cni_heavy_contact *h)
 {
-	cni_direct_contact p;
+	changes d = changes_begin(world, h->contact);
 	int32_t k;
-	cni_direct_contact_read(world, cni_contact_at(world, h->contact), &p);
 	for (k = 0; k < 2; ++k)
-		if (p.mass[k] > 0.0f && p.mass[k] * h->k[k][k] < CNI_HEAVY_BOUNCE_PART)
+		if (d.p.mass[k] > 0.0f && d.p.mass[k] * h->k[k][k] < CNI_HEAVY_BOUNCE_PART)
 			return 1;
 	return 0;
 }
@@ -217,23 +210,21 @@ static int32_t is_borne(const cn_world *world, const cni_heavy_contact *h)
 /* 1: it bears more than a few weights, or it bears nothing and its points may meet in this step. With a static body only extreme loads count,
    as those of a rope that carries 2,000 links over a peg, and impacts: the heavy end of a lever follows when its light arm hits the ground.
    Of a slow component all contacts count alike: it is to come to rest. */
-static int32_t is_pressed(const cn_world *world, const cni_solve *s, const cni_contact *c, int32_t contact, int32_t fixed, int32_t slow)
+static int32_t is_pressed(const cn_world *world, const cni_solve *s, int32_t contact, int32_t fixed, int32_t slow)
 {
 	float stress = slow ? CNI_HEAVY_SLOW_STRESS : fixed ? CNI_HEAVY_STATIC_STRESS : CNI_HEAVY_CONTACT_STRESS;
 	float speed = stress * cni_length(world->settings.gravity) * s->h;
 	changes d = changes_begin(world, contact);
 	const cni_motion *a = cni_motions(world) + d.ia, *b = cni_motions(world) + d.ib;
-	cni_direct_contact p;
 	int32_t k;
-	cni_direct_contact_read(world, c, &p);
 	for (k = 0; k < 2; ++k) {
 		float closing;
-		if (p.j[k] > speed * p.mass[k])
+		if (d.p.j[k] > speed * d.p.mass[k])
 			return 1;
-		if (p.mass[k] <= 0.0f || p.j[k] > 0.0f)
+		if (d.p.mass[k] <= 0.0f || d.p.j[k] > 0.0f)
 			continue;
-		closing = row_speed(&p, k, a, b);
-		if ((!fixed || slow || closing < s->contact[0].impact_speed) && cni_direct_contact_separation(&p, k, a, b) + s->dt * closing < world->settings.slop)
+		closing = row_speed(&d.p, k, a, b);
+		if ((!fixed || slow || closing < s->contact[0].impact_speed) && cni_direct_contact_separation(&d.p, k, a, b) + s->dt * closing < world->settings.slop)
 			return 1;
 	}
 	return 0;
@@ -266,7 +257,7 @@ static void body_contacts_list(const cn_world *world, const cni_solve *s, cni_sp
 			continue;
 		h = heavy_make(world, s, component, key >> 1);
 		h.is_light = (uint8_t)light;
-		if (light ? bounces(&h) && is_free(world, other) : is_pressed(world, s, c, key >> 1, inv_mass == 0.0f, slow))
+		if (light ? bounces(&h) && is_free(world, other) : is_pressed(world, s, key >> 1, inv_mass == 0.0f, slow))
 			sparse->heavies[sparse->heavy_count++] = h;
 	}
 }
@@ -388,8 +379,9 @@ static float bounce_target(const cni_heavy_contact *h, const cni_direct_contact 
 	return separation > slop ? p->j[row] : cni_max(p->j[row] + (h->bounce[row] - speed) / h->k[row][row], 0.0f);
 }
 
-static float row_target(const cn_world *world, const cni_solve *s, const cni_heavy_contact *h, const cni_direct_contact *p, int32_t row, float speed, const changes *d, int32_t pass)
+static float row_target(const cn_world *world, const cni_solve *s, const cni_heavy_contact *h, const changes *d, int32_t row, float speed, int32_t pass)
 {
+	const cni_direct_contact *p = &d->p;
 	float m = 1.0f / h->k[row][row], separation;
 	if (row == 2)
 		return pass == PASS_BOUNCE ? p->j[2] : friction_target(p, m, speed - h->tangent_speed);
@@ -399,8 +391,9 @@ static float row_target(const cn_world *world, const cni_solve *s, const cni_hea
 	return cni_min(cni_max(h->impulse_most, p->j[row]), normal_target(s, p, row, m, speed, separation, pass));
 }
 
-static void rows_solve(const cn_world *world, const cni_solve *s, const cni_heavy_contact *h, cni_direct_contact *p, const changes *d, int32_t pass)
+static void rows_solve(const cn_world *world, const cni_solve *s, const cni_heavy_contact *h, changes *d, int32_t pass)
 {
+	cni_direct_contact *p = &d->p;
 	float u[3];
 	int32_t round, row, k;
 	for (k = 0; k < 3; ++k)
@@ -410,7 +403,7 @@ static void rows_solve(const cn_world *world, const cni_solve *s, const cni_heav
 			float target;
 			if (p->mass[row] <= 0.0f)
 				continue;
-			target = row_target(world, s, h, p, row, u[row], d, pass);
+			target = row_target(world, s, h, d, row, u[row], pass);
 			for (k = 0; k < 3; ++k)
 				u[k] += h->k[k][row] * (target - p->j[row]);
 			p->j[row] = target;
@@ -428,8 +421,9 @@ static int32_t changes_speed(const cn_world *world, const cni_heavy_contact *h, 
 	return 0;
 }
 
-static void impulses_apply(cn_world *world, const cni_solve *s, cni_component *c, const cni_direct_contact *p, changes *d)
+static void impulses_apply(cn_world *world, const cni_solve *s, cni_component *c, changes *d)
 {
+	const cni_direct_contact *p = &d->p;
 	cni_motion *motions = cni_motions(world);
 	int32_t row;
 	for (row = 0; row < 3; ++row) {
@@ -443,24 +437,28 @@ static void impulses_apply(cn_world *world, const cni_solve *s, cni_component *c
 		cni_active_impulses_add(world, s->direct, c);
 }
 
+/* Finds the impulses of a pass. Returns 0 where they change nothing, so that they are not applied. */
+static int32_t impulses_find(cn_world *world, const cni_solve *s, const cni_heavy_contact *h, changes *d, int32_t pass)
+{
+	rows_solve(world, s, h, d, pass);
+	if (!changes_speed(world, h, &d->p))
+		return 0;
+	impulses_apply(world, s, &s->direct->components[h->component], d);
+	return 1;
+}
+
 static void contact_solve(cn_world *world, const cni_solve *s, cni_heavy_contact *h, int32_t bias)
 {
-	cni_component *c = &s->direct->components[h->component];
 	changes d = changes_begin(world, h->contact);
-	cni_direct_contact p;
-	int32_t k;
-	if (c->done)
+	int32_t k, l = d.p.lane;
+	if (s->direct->components[h->component].done)
 		return;
-	cni_direct_contact_read(world, cni_contact_at(world, h->contact), &p);
-	rows_solve(world, s, h, &p, &d, bias);
-	if (changes_speed(world, h, &p))
-		impulses_apply(world, s, c, &p, &d);
-	else
-		memcpy(p.j, p.first, sizeof p.j);
-	h->is_hit |= (uint8_t)(p.j[0] + p.j[1] > 0.0f);
-	d.block->jt[d.l] = p.j[2];
+	if (!impulses_find(world, s, h, &d, bias))
+		memcpy(d.p.j, d.p.first, sizeof d.p.j);
+	h->is_hit |= (uint8_t)(d.p.j[0] + d.p.j[1] > 0.0f);
+	d.block->jt[l] = d.p.j[2];
 	for (k = 0; k < 2; ++k)
-		d.block->p[k].jn[d.l] = d.block->p[k].load[d.l] = p.j[k];
+		d.block->p[k].jn[l] = d.block->p[k].load[l] = d.p.j[k];
 }
 
 /* Contacts begin to end - 1, which are those of one component. */
@@ -493,15 +491,11 @@ void cni_heavy_contacts_solve(cn_world *world, const cni_solve *s, int32_t bias)
 static void contact_bounce(cn_world *world, const cni_solve *s, const cni_heavy_contact *h)
 {
 	changes d = changes_begin(world, h->contact);
-	cni_direct_contact p;
-	cni_direct_contact_read(world, cni_contact_at(world, h->contact), &p);
-	memset(p.j, 0, sizeof p.j);
-	memset(p.first, 0, sizeof p.first);
-	rows_solve(world, s, h, &p, &d, PASS_BOUNCE);
-	if (changes_speed(world, h, &p))
-		impulses_apply(world, s, &s->direct->components[h->component], &p, &d);
+	memset(d.p.j, 0, sizeof d.p.j);
+	memset(d.p.first, 0, sizeof d.p.first);
+	(void)impulses_find(world, s, h, &d, PASS_BOUNCE);
 	if (CNI_HAS_EVENTS && world->sums_active)
-		cni_impulse_sums_strike(world, h->contact, p.j[0] + p.j[1], 0.0f, 0.0f, 0.0f);
+		cni_impulse_sums_strike(world, h->contact, d.p.j[0] + d.p.j[1], 0.0f, 0.0f, 0.0f);
 }
 
 void cni_heavy_contacts_bounce(cn_world *world, const cni_solve *s)
