@@ -112,26 +112,21 @@ static float energy_at(const cni_direct_contact_pass *q, const cni_motion *m, fl
 	return (m->inv_mass > 0.0f ? (vx * vx + vy * vy) / m->inv_mass : 0.0f) + (m->inv_inertia > 0.0f ? w * w / m->inv_inertia : 0.0f);
 }
 
-/* Twice the kinetic energy of the component's bodies. */
-static float energy_of(const cni_direct_contact_pass *q)
-{
-	float sum = 0.0f;
-	int32_t k;
-	for (k = q->c->body_begin; k < q->c->body_end; ++k) {
-		const cni_motion *m = q->motions + q->sparse->bodies[k];
-		sum += energy_at(q, m, m->vx, m->vy, m->w);
-	}
-	return sum;
-}
+/* NOW; at the beginning of the substep, after external accelerations and before any impulse; at the beginning of the step. */
+enum moment { NOW, SUBSTEP_BEGIN, STEP_BEGIN };
 
-/* ... at the beginning of the substep, after external accelerations and before any impulse. */
-static float energy_of_start(const cni_direct_contact_pass *q)
+/* Twice the kinetic energy of the component's bodies at this moment. */
+static float energy_of(const cni_direct_contact_pass *q, enum moment moment)
 {
 	float sum = 0.0f;
 	int32_t k;
 	for (k = q->c->body_begin; k < q->c->body_end; ++k) {
-		const cni_velocity_start *v = cni_starts(q->world) + q->sparse->bodies[k];
-		sum += energy_at(q, q->motions + q->sparse->bodies[k], v->vx, v->vy, v->w);
+		const int32_t index = q->sparse->bodies[k];
+		const cni_motion *m = q->motions + index;
+		const cni_velocity_start *v = cni_starts(q->world) + index;
+		const cni_body *b = cni_body_at(q->world, cni_awake_ids(q->world)[index]);
+		sum += moment == NOW ? energy_at(q, m, m->vx, m->vy, m->w) : moment == SUBSTEP_BEGIN ? energy_at(q, m, v->vx, v->vy, v->w) :
+			energy_at(q, m, b->vx, b->vy, b->w);
 	}
 	return sum;
 }
@@ -141,10 +136,8 @@ static float energy_at_speed(const cni_direct_contact_pass *q, float speed)
 {
 	float mass = 0.0f;
 	int32_t k;
-	for (k = q->c->body_begin; k < q->c->body_end; ++k) {
-		const cni_motion *m = q->motions + q->sparse->bodies[k];
-		mass += m->inv_mass > 0.0f ? 1.0f / m->inv_mass : 0.0f;
-	}
+	for (k = q->c->body_begin; k < q->c->body_end; ++k)
+		mass += cni_inverse_or_zero(q->motions[q->sparse->bodies[k]].inv_mass);
 	return mass * speed * speed;
 }
 
@@ -157,13 +150,7 @@ static float energy_of_rest(const cni_direct_contact_pass *q)
 /* 1: it moved at the beginning of the step. */
 static int32_t was_moving(const cni_direct_contact_pass *q)
 {
-	float sum = 0.0f;
-	int32_t k;
-	for (k = q->c->body_begin; k < q->c->body_end; ++k) {
-		const cni_body *b = cni_body_at(q->world, cni_awake_ids(q->world)[q->sparse->bodies[k]]);
-		sum += energy_at(q, q->motions + q->sparse->bodies[k], b->vx, b->vy, b->w);
-	}
-	return sum > energy_of_rest(q);
+	return energy_of(q, STEP_BEGIN) > energy_of_rest(q);
 }
 
 /* Twice the work of pushing overlaps apart. */
@@ -191,20 +178,8 @@ static int32_t energy_fits(const cni_direct_contact_pass *q)
 	float bodies = (float)(q->c->body_end - q->c->body_begin), work = push_work(q);
 	if (q->c->joints > 0)
 		return 1;
-	return energy_of(q) <= (1.0f + CNI_DIRECT_ENERGY_ROUNDING) * q->before + work &&
+	return energy_of(q, NOW) <= (1.0f + CNI_DIRECT_ENERGY_ROUNDING) * q->before + work &&
 	       work <= 2.0f * (q->before + bodies * energy_at_speed(q, q->s->push_speed));
-}
-
-/* Restores the impulses of the pass, for sliding friction: those of a set that was no solution do not count. */
-static void impulses_restore(const cni_direct_contact_pass *q)
-{
-	int32_t k;
-	for (k = q->c->begin; k < q->c->end; ++k) {
-		const cni_node *n = &q->sparse->nodes[k];
-		cni_direct_contact *p = cni_direct_contact_of(q->sparse, n);
-		if (p != NULL)
-			memcpy(p->j, n->carried, sizeof p->j);
-	}
 }
 
 /* Solves with the set in which a body at rest begins to move, as the interior-point method has not run or found nothing better. It was
@@ -212,7 +187,7 @@ static void impulses_restore(const cni_direct_contact_pass *q)
 static int32_t solve_with_kept_set(const cni_direct_contact_pass *q)
 {
 	cni_direct_contact_states_save(q, 1);
-	impulses_restore(q);
+	state_save(q, 1); /* for sliding friction: the impulses of a set that was no solution do not count */
 	cni_direct_contact_round_begin(q);
 	if (!cni_direct_contact_system_solve(q) || !energy_fits(q))
 		return 0;
@@ -340,7 +315,7 @@ static void solution_accept(const cni_direct_contact_pass *q)
 	if (q->warm)
 		q->island->cone_step = step;
 	if (q->bias && q->island->gives_step != step && starts_moving(q)) {
-		q->island->falls_steps = energy_of(q) > energy_of_rest(q) && is_recent(q, q->island->gives_step) ? q->island->falls_steps + 1 : 0;
+		q->island->falls_steps = energy_of(q, NOW) > energy_of_rest(q) && is_recent(q, q->island->gives_step) ? q->island->falls_steps + 1 : 0;
 		q->island->gives_step = step;
 	}
 	commit(q);
@@ -360,7 +335,7 @@ int32_t cni_direct_contacts_solve(cn_world *world, const cni_solve *s, cni_spars
 	impulses_scale(&q);
 	state_save(&q, 0);
 	cni_direct_contact_round_begin(&q);
-	q.before = energy_of_start(&q);
+	q.before = energy_of(&q, SUBSTEP_BEGIN);
 	q.warm = is_recent(&q, q.island->cone_step);
 	if (is_large(&q) && !was_moving(&q))
 		q.rounds = CNI_CONTACT_SET_ROUNDS_LARGE;

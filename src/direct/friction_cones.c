@@ -131,6 +131,7 @@ static void contact_center(const cone *q, cni_direct_contact *p, const cni_node 
 	for (i = 0; i < 3; ++i)
 		p->start[i] += p->j[i];
 	slacks_of(p, p->j, p->slack);
+	memset(p->cross, 0, sizeof p->cross);
 	for (i = 0; i < 4; ++i)
 		p->dual[i] = slack_exists(p, i) ? q->tau * slack_mass(p, i) / p->slack[i] : 0.0f;
 }
@@ -285,6 +286,7 @@ static float step_apply(const cone *q, float length)
 		for (i = 0; i < 4; ++i) {
 			p->slack[i] += length * slack[i];
 			p->dual[i] += length * dual[i];
+			p->cross[i] = 0.0f;
 			sum += slack_exists(p, i) ? p->slack[i] * p->dual[i] / slack_mass(p, i) : 0.0f;
 		}
 	}
@@ -309,16 +311,6 @@ static float predictor_store(cone *q, float length)
 		}
 	}
 	return sum / (float)cni_max_i(q->count, 1);
-}
-
-static void predictor_clear(cone *q)
-{
-	int32_t k;
-	for (k = q->c->begin; k < q->c->end; ++k) {
-		cni_direct_contact *p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k]);
-		if (p != NULL)
-			memset(p->cross, 0, sizeof p->cross);
-	}
 }
 
 static void newton_set(cone *q)
@@ -378,7 +370,6 @@ static int32_t iterate(cone *q)
 	for (;;) {
 		float length, part, predicted;
 		q->tau = 0.0f;
-		predictor_clear(q);
 		newton_set(q);
 		if (q->residual <= q->pass->speed_least && q->violation <= q->pass->speed_least)
 			return 1;
