@@ -1,5 +1,5 @@
 /*
- * direct/active_rows.c - motors and limits in the linear system of their joints (direct/direct_joints.c).
+ * direct/active_rows.c - motors and limits in the linear system of their joints (direct/direct_joints.c): which rows, their active set.
  *
  * A motor solved after the rigid rows of a linkage sees only the two bodies at its joint, and not the mass behind them; the relative
  * rotation of two stiff groups then grows from pass to pass. So the motor or limit is the third row of its joint's node. A motor row has a
@@ -18,8 +18,6 @@
 #include "direct/direct_system.h"
 #include "model/tuning.h"
 
-#include <string.h>
-
 /* Target speed of the row; for a limit, the least speed. Limits push no faster than overlaps: joints of figures under a slab would stretch
    by a sixth more. */
 static float target_speed(const cni_row *r, const cni_solve *s, const cni_push_speeds *push, int32_t bias)
@@ -29,6 +27,18 @@ static float target_speed(const cni_row *r, const cni_solve *s, const cni_push_s
 	if (r->error > 0.0f)
 		return -r->error * s->inv_h;
 	return bias ? cni_min(-CNI_JOINT_ERROR_RATE * s->inv_h * r->error, cni_row_push_speed(r, push)) : 0.0f;
+}
+
+/* The motor or limit row that is the third row of a node in the component's list. */
+static cni_row *active_row(const cn_world *world, const cni_node *n)
+{
+	const cni_joint_constraint *w = cni_joint_constraints(world) + n->owner;
+	return &w->rows[w->active_row];
+}
+
+static float impulse_most(const cni_row *r, const cni_solve *s)
+{
+	return r->kind == CNI_ROW_MOTOR ? r->limit * s->h : FLT_MAX;
 }
 
 /* ---- which rows ---- */
@@ -49,7 +59,7 @@ static int32_t row_choose(const cni_joint_constraint *w, const cni_motion *motio
 /* Initial state from the impulse of the last step. */
 static uint32_t state_begin(const cni_row *r, const cni_solve *s)
 {
-	float impulse = s->warm_scale * r->impulse, most = cni_active_impulse_most(r, s);
+	float impulse = s->warm_scale * r->impulse, most = impulse_most(r, s);
 	if (r->kind == CNI_ROW_LIMIT)
 		return impulse > 0.0f ? CNI_ROW_IN_SET : 0;
 	if (cni_abs(impulse) < 0.999f * most)
@@ -92,7 +102,7 @@ void cni_active_levers(const cn_world *world, cni_sparse *sparse, const cni_comp
 		cni_node *n = &sparse->nodes[k];
 		if (!(n->active & CNI_ROW_IN_SET))
 			continue;
-		cni_levers_set(&n->levers, 2, cni_row_lever(cni_active_row(world, n)));
+		cni_levers_set(&n->levers, 2, cni_row_lever(active_row(world, n)));
 		n->compliance[2] = 0.0f;
 	}
 }
@@ -104,9 +114,105 @@ void cni_active_right_sides(const cn_world *world, const cni_solve *s, cni_spars
 	int32_t k;
 	for (k = c->active_first; k != CNI_NONE; k = sparse->nodes[k].next_active) {
 		cni_node *n = &sparse->nodes[k];
-		const cni_row *r = cni_active_row(world, n);
+		const cni_row *r = active_row(world, n);
 		n->target = target_speed(r, s, &push, bias);
 		if (n->active & CNI_ROW_IN_SET)
 			n->x[2] = n->target - cni_row_speed(r, motions + n->ia, motions + n->ib);
 	}
+}
+
+/* ---- the set ---- */
+
+static float impulse_least(const cni_row *r, const cni_solve *s)
+{
+	return r->kind == CNI_ROW_MOTOR ? -r->limit * s->h : 0.0f;
+}
+
+/* Sets the impulse of a row and applies the difference along its present lever. */
+static void row_set_impulse(const cn_world *world, const cni_node *n, cni_row *r, float impulse)
+{
+	cni_row_push(r, impulse - r->impulse, cni_motions(world) + n->ia, cni_motions(world) + n->ib);
+	r->impulse = impulse;
+}
+
+/* Rows beyond their bound leave the set, others return. Returns 1 when the set has changed. */
+static int32_t set_change(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c)
+{
+	const cni_motion *motions = cni_motions(world);
+	int32_t k, changed = 0;
+	for (k = c->active_first; k != CNI_NONE; k = sparse->nodes[k].next_active) {
+		cni_node *n = &sparse->nodes[k];
+		cni_row *r = active_row(world, n);
+		float least = impulse_least(r, s), most = impulse_most(r, s);
+		if (n->active & CNI_ROW_IN_SET) {
+			if (r->impulse >= least && r->impulse <= most)
+				continue;
+			n->active = r->impulse > most ? CNI_ROW_AT_UPPER : 0u;
+			row_set_impulse(world, n, r, cni_clamp(r->impulse, least, most));
+		} else {
+			float missing = n->target - cni_row_speed(r, motions + n->ia, motions + n->ib);
+			if (n->active & CNI_ROW_AT_UPPER ? missing >= 0.0f : missing <= 0.0f)
+				continue;
+			n->active = CNI_ROW_IN_SET;
+		}
+		changed = 1;
+	}
+	return changed;
+}
+
+void cni_active_impulses_add(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	int32_t k;
+	for (k = c->active_first; k != CNI_NONE; k = sparse->nodes[k].next_active)
+		if (sparse->nodes[k].active & CNI_ROW_IN_SET)
+			active_row(world, &sparse->nodes[k])->impulse += sparse->nodes[k].x[2];
+}
+
+/* Right sides of the changed set, from those of the last (carried) and the speeds of then (total; first 1) or the target speeds. */
+static void sides_renew(const cn_world *world, cni_sparse *sparse, const cni_component *c, int32_t first)
+{
+	const cni_motion *motions = cni_motions(world);
+	int32_t k, i;
+	for (k = c->begin; k < c->end; ++k) {
+		cni_node *n = &sparse->nodes[k];
+		float speed[CNI_NODE_LANES];
+		cni_four_store(speed, cni_levers_speed(&n->levers, motions + n->ia, motions + n->ib));
+		for (i = 0; i < CNI_NODE_ROWS; ++i) {
+			n->total[i] = i >= n->rows ? 0.0f : first ? n->carried[i] + n->total[i] : n->total[i];
+			n->x[i] = n->total[i] - speed[i];
+		}
+		if (n->active & CNI_ROW_IN_SET)
+			n->x[2] += n->target;
+	}
+}
+
+/* Solves the right sides for impulses with the active set. 0: the solution is not finite. */
+static int32_t set_solve(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c)
+{
+	int32_t round;
+	for (round = 0;; ++round) {
+		if (!cni_direct_apply(world, sparse, c))
+			return 0;
+		cni_active_impulses_add(world, sparse, c);
+		if (round == CNI_JOINT_SET_ROUNDS || !set_change(world, s, sparse, c))
+			return 1;
+		cni_direct_system(world, s, sparse, c);
+		sides_renew(world, sparse, c, round == 0);
+	}
+}
+
+void cni_component_solve(cn_world *world, const cni_solve *s, cni_component *c)
+{
+	if (!(c->active ? set_solve(world, s, s->direct, c) : cni_direct_apply(world, s->direct, c)))
+		cni_component_suspend(world, s->direct, c, 0);
+}
+
+int32_t cni_component_lock(cn_world *world, const cni_solve *s, cni_component *c, float turn)
+{
+	if (c->has_contacts || c->done || c->active || !cni_geometric_stiffness_lock(world, s->direct, c, turn * s->inv_h))
+		return 0;
+	cni_sparse_factor(s->direct, c, cni_motions(world));
+	cni_direct_right_sides(world, s, c, 1);
+	cni_component_solve(world, s, c);
+	return 1;
 }

@@ -360,9 +360,3 @@ void cni_direct_store(cn_world *world, const cni_solve *s)
 	cni_heavy_contacts_bounce(world, s);
 	cni_direct_contacts_restore_all(world, s->direct, s->h);
 }
-
-uint64_t cni_direct_bytes(int32_t solver, int32_t joints, int32_t contacts, int32_t bodies)
-{
-	uint64_t plan = cni_direct_plan_bytes(solver, joints, contacts, bodies);
-	return plan > 0 ? plan + cni_tree_batch_bytes(joints) : 0;
-}

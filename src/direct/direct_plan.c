@@ -50,14 +50,14 @@ uint64_t cni_direct_kept_bytes(int32_t solver, int32_t joints, int32_t contacts)
 	return cni_sparse_kept_bytes(joints + taken, work_of(solver, joints, taken)) + CNI_KEPT_BYTES;
 }
 
-uint64_t cni_direct_plan_bytes(int32_t solver, int32_t joints, int32_t contacts, int32_t bodies)
+uint64_t cni_direct_bytes(int32_t solver, int32_t joints, int32_t contacts, int32_t bodies)
 {
 	int32_t taken = contacts_taken(solver, contacts), links = joints + taken;
 	int64_t work = work_of(solver, joints, taken);
 	uint64_t link = sizeof(cni_link) + 2 * sizeof(cni_motion) + sizeof(cni_projection) + 1;
 	if (links == 0 || solver == CN_SOLVER_SOFT || solver == CN_SOLVER_SEQUENTIAL)
 		return 0;
-	return link * (uint64_t)links + sizeof(cni_direct_contact) * (uint64_t)taken +
+	return cni_tree_batch_bytes(joints) + link * (uint64_t)links + sizeof(cni_direct_contact) * (uint64_t)taken +
 	       2 * sizeof(int32_t) * (uint64_t)contacts + (sizeof(float) + sizeof(cni_rot) + sizeof(int32_t)) * (uint64_t)(bodies + 1) + 896 + sizeof(cni_heavy_contact) * CNI_HEAVY_CONTACTS_MOST + cni_sparse_bytes(links, bodies + 1, work);
 }
 

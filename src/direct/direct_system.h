@@ -15,8 +15,6 @@
 int32_t cni_direct_plan(cn_world *world, cni_sparse *out);
 /* Reads the nodes' levers from the rows of their joint constraints and factors the system. */
 void cni_direct_refresh(cn_world *world, cni_sparse *sparse, const cni_component *c);
-/* Bound on the scratch memory of planning. direct/direct_plan.c */
-uint64_t cni_direct_plan_bytes(int32_t solver, int32_t joints, int32_t contacts, int32_t bodies);
 /* Number of its bodies that have contacts in lanes. */
 int32_t cni_component_touched(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
 /* Number of its joints that end at a body without mass. */
@@ -38,7 +36,7 @@ void cni_direct_rotations(const cn_world *world, cni_sparse *sparse, const cni_c
 
 /* Right sides: the missing speeds of the component's rows, with error correction (bias 1) or without, into its nodes' x. */
 void cni_direct_right_sides(cn_world *world, const cni_solve *s, const cni_component *c, int32_t bias);
-/* Solves for the impulses and applies them; on failure the joints become soft. direct/active_set.c */
+/* Solves for the impulses and applies them; on failure the joints become soft. direct/active_rows.c */
 void cni_component_solve(cn_world *world, const cni_solve *s, cni_component *c);
 static inline void cni_trust_suspend(cn_world *world, cni_joint_trust *t, int32_t span, int32_t soft)
 {
@@ -84,20 +82,10 @@ void cni_heavy_contacts_bounce(cn_world *world, const cni_solve *s);
 /* Bits of the `active` of a joint's node. */
 enum { CNI_ROW_IN_SET = 1u, CNI_ROW_AT_UPPER = 2u };
 
-/* The motor or limit row that is the third row of a node in the component's list. */
-static inline cni_row *cni_active_row(const cn_world *world, const cni_node *n)
-{
-	const cni_joint_constraint *w = cni_joint_constraints(world) + n->owner;
-	return &w->rows[w->active_row];
-}
 /* 1: the limit may act in a step of this length. */
 static inline int32_t cni_limit_is_near(const cni_row *r, const cni_motion *a, const cni_motion *b, float dt)
 {
 	return r->error < CNI_LIMIT_ROOM + 2.0f * dt * cni_abs(cni_row_speed(r, a, b));
-}
-static inline float cni_active_impulse_most(const cni_row *r, const cni_solve *s)
-{
-	return r->kind == CNI_ROW_MOTOR ? r->limit * s->h : FLT_MAX;
 }
 /* Selects the motor and limit rows; their joint constraints leave the lanes. Returns 0 for none, 1 for limits only, 2 with motors. */
 int32_t cni_active_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c);
@@ -146,7 +134,7 @@ void cni_geometric_stiffness_damp(const cn_world *world, cni_sparse *sparse, con
    positions to follow: faster than `most`. Returns 1 when it locked any: the component must be factored again. */
 int32_t cni_geometric_stiffness_lock(const cn_world *world, const cni_sparse *sparse, cni_component *c, float most);
 /* Locks joints of bodies that would turn farther than this in the substep, and solves the component again if there are any.
-   Returns 1 then. direct/active_set.c */
+   Returns 1 then. direct/active_rows.c */
 int32_t cni_component_lock(cn_world *world, const cni_solve *s, cni_component *c, float turn);
 
 #endif

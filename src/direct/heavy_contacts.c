@@ -277,11 +277,9 @@ int32_t cni_heavy_contacts_most(const cni_sparse *sparse, const cni_component *c
 static int32_t may_break(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
 	int32_t k;
-	for (k = c->begin; k < c->end; ++k) {
-		const cni_joint *j = cni_joint_constraints(world)[sparse->nodes[k].owner].record;
-		if (j->break_force > 0.0f || j->break_torque > 0.0f)
+	for (k = c->begin; k < c->end; ++k)
+		if (cni_joint_constraints(world)[sparse->nodes[k].owner].flags & CNI_CONSTRAINT_BREAKABLE)
 			return 1;
-	}
 	return 0;
 }
 

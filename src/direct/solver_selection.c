@@ -86,11 +86,16 @@ int32_t cni_island_is_unsolved(const cni_island *i, uint32_t step)
 	return i->tier == CNI_TIER_SOFT && i->reason == CN_TIER_REASON_NO_SET && cni_island_is_refused(i, step);
 }
 
+static cni_island *awake_island(const cn_world *world, int32_t index)
+{
+	int32_t island = cni_awake_island(world, index);
+	return island != CNI_NONE ? cni_island_at(world, island) : NULL;
+}
+
 /* Counted for contacts/gravity_preload.c. */
 static void new_contact_count(cn_world *world, int32_t index)
 {
-	int32_t island = cni_awake_island(world, index);
-	cni_island *i = island != CNI_NONE ? cni_island_at(world, island) : NULL;
+	cni_island *i = awake_island(world, index);
 	world->piles_new = 1;
 	if (i == NULL) {
 		cni_body_at(world, cni_awake_ids(world)[index])->flags |= CNI_BODY_SET_DOWN;
@@ -243,8 +248,7 @@ static int32_t may_be_stressed(const cn_world *world, const cni_contact_block *k
 /* Leaning bodies: the top-down sweep could not load them, or they sink while nothing moves. */
 static int32_t is_leaning(const cn_world *world, const cni_contact_block *k, int32_t l)
 {
-	int32_t island = cni_awake_island(world, k->ia[l]);
-	cni_island *i = island != CNI_NONE ? cni_island_at(world, island) : NULL;
+	cni_island *i = awake_island(world, k->ia[l]);
 	cni_vec2 frame;
 	if (i == NULL)
 		return 0;
@@ -315,9 +319,9 @@ static void unheld_check(cn_world *world)
 {
 	int32_t k;
 	for (k = 1; k < world->awake_count; ++k) {
-		int32_t island = cni_awake_island(world, k);
-		if (island != CNI_NONE && cni_island_at(world, island)->unheld_step == world->step_count && world->step_count > 0)
-			island_mark_bad(world, island, CN_TIER_REASON_NEW_CONTACT);
+		const cni_island *i = awake_island(world, k);
+		if (i != NULL && i->unheld_step == world->step_count && world->step_count > 0)
+			island_mark_bad(world, cni_awake_island(world, k), CN_TIER_REASON_NEW_CONTACT);
 	}
 }
 
@@ -433,12 +437,6 @@ void cni_solver_selection_reset(cn_world *world)
 		cni_island_at(world, direct_list(world)[k])->tier = CNI_TIER_SOFT;
 	world->direct_islands.count = 0;
 	world->direct_work = world->direct_failed = 0;
-}
-
-static cni_island *awake_island(const cn_world *world, int32_t index)
-{
-	int32_t island = cni_awake_island(world, index);
-	return island != CNI_NONE ? cni_island_at(world, island) : NULL;
 }
 
 static void joint_solver_gather(cn_world *world, const cni_joint *j)
