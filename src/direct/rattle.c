@@ -511,23 +511,24 @@ static int32_t substeps_run(rattle_step *g, const cni_solve *s, int32_t substeps
 	return 1;
 }
 
-/* Does a step by RATTLE gain no more energy than it may? NaN does not fit. */
-static int32_t gain_fits(const rattle_step *g, float before, float allowed, float gained)
+/* Did a step by RATTLE gain no more energy than it may? NaN does not fit. */
+static int32_t gain_fits(const rattle_step *g, const rattle_energies *before, float gained)
 {
-	return gained <= CNI_RATTLE_ENERGY_PART * before + allowed + g->energy_error;
+	return gained <= CNI_RATTLE_ENERGY_PART * before->total + before->allowed + g->energy_error;
 }
 
 /* Projections cannot raise kinetic energy: any gain is rounding. Moving bases may do any work. */
-static int32_t projection_fits(const rattle_step *g, float before, float allowed)
+static int32_t projection_fits(const rattle_step *g, const rattle_energies *before, const rattle_energies *after)
 {
-	float most = cni_sq(cni_sqrt(before) + cni_sqrt(allowed)); /* in the norm of kinetic energy */
-	return cni_rattle_kinetic(g) <= (1.0f + CNI_RATTLE_ENERGY_PART) * most || g->base_work != 0.0f;
+	float most = cni_sq(cni_sqrt(before->total) + cni_sqrt(before->allowed)); /* in the norm of kinetic energy */
+	return after->kinetic <= (1.0f + CNI_RATTLE_ENERGY_PART) * most || g->base_work != 0.0f;
 }
 
 /* Tries a step by RATTLE, or by projections, with this number of substeps. */
 static int32_t step_try(rattle_step *g, const cni_solve *s, cni_component *c, int32_t substeps, int32_t projects, cni_joint_trust *t)
 {
-	float before, allowed, gained;
+	rattle_energies before, after;
+	float gained;
 	g->h = s->dt / (float)substeps;
 	impulses_reset(g, projects ? 0.0f : s->warm_scale * g->h / s->h);
 	if (!projects) {
@@ -536,15 +537,15 @@ static int32_t step_try(rattle_step *g, const cni_solve *s, cni_component *c, in
 		cni_geometric_stiffness_damp(g->world, g->sparse, c, g->h);
 	}
 	cni_direct_refresh(g->world, g->sparse, c);
-	before = cni_rattle_energy(g); /* no work has been done at the beginning of a step */
 	g->closing = cni_rattle_closing_speed(g);
-	allowed = cni_rattle_energy_allowed(g, s->dt);
+	before = cni_rattle_energies(g, s->dt); /* no work has been done at the beginning of a step */
 	if (!substeps_run(g, s, substeps, projects))
 		return 0;
-	gained = cni_rattle_energy(g) - before - g->base_work;
-	if (!(projects ? projection_fits(g, before, allowed) : gain_fits(g, before, allowed, gained)))
+	after = cni_rattle_energies(g, s->dt);
+	gained = after.total - before.total - g->base_work;
+	if (!(projects ? projection_fits(g, &before, &after) : gain_fits(g, &before, gained)))
 		return 0;
-	cni_rattle_account(g, t, gained);
+	cni_rattle_account(g, &after, t, gained);
 	return 1;
 }
 

@@ -27,16 +27,20 @@ static inline cni_joint_constraint *constraint_of(const rattle_step *g, int32_t 
 	return &cni_joint_constraints(g->world)[g->sparse->nodes[node].owner];
 }
 
+typedef struct rattle_energies {
+	float kinetic;
+	float total;       /* of motion, less the work of external accelerations in this step */
+	float allowed;     /* that a step of free fall and of gap closing may add from rest */
+	float rounding;    /* work of external accelerations along the position error: the tolerance of closed joints, the rounding of floats */
+} rattle_energies;
+
 float cni_rattle_closing_speed(const rattle_step *g);
-float cni_rattle_kinetic(const rattle_step *g);
-/* Energy of motion less the work of external accelerations in this step. */
-float cni_rattle_energy(const rattle_step *g);
-/* Energy that a step of free fall and of gap closing may add from rest. */
-float cni_rattle_energy_allowed(const rattle_step *g, float dt);
+/* Energies of the component now, in a step of this length. */
+rattle_energies cni_rattle_energies(const rattle_step *g, float dt);
 float cni_rattle_energy_error(const rattle_step *g, const cni_solve *s);
 /* Work of moving bodies without mass at the component's joints in a substep. */
 float cni_rattle_base_work(const rattle_step *g);
 /* Adds the energy gain of a step to the account and takes the excess out of the motion. */
-void cni_rattle_account(const rattle_step *g, cni_joint_trust *t, float gained);
+void cni_rattle_account(const rattle_step *g, const rattle_energies *e, cni_joint_trust *t, float gained);
 
 #endif

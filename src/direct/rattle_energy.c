@@ -23,41 +23,25 @@ static float twice_kinetic(const cni_motion *m, float vx, float vy, float w)
 	return cni_inverse_or_zero(m->inv_mass) * (vx * vx + vy * vy) + cni_inverse_or_zero(m->inv_inertia) * w * w;
 }
 
-float cni_rattle_kinetic(const rattle_step *g)
+rattle_energies cni_rattle_energies(const rattle_step *g, float dt)
 {
-	float sum = 0.0f;
-	int32_t k;
-	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
-		const cni_motion *m = g->motions + g->sparse->bodies[k];
-		sum += twice_kinetic(m, m->vx, m->vy, m->w);
-	}
-	return 0.5f * sum;
-}
-
-float cni_rattle_energy(const rattle_step *g)
-{
-	float sum = 0.0f;
+	rattle_energies e = { 0.0f, 0.0f, 0.0f, 0.0f };
 	int32_t k;
 	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
 		const cni_motion *m = g->motions + g->sparse->bodies[k];
 		const cni_external *d = cni_externals(g->world) + g->sparse->bodies[k];
-		sum += cni_inverse_or_zero(m->inv_mass) * (0.5f * (m->vx * m->vx + m->vy * m->vy) - (d->ax * m->dpx + d->ay * m->dpy)) +
-		       cni_inverse_or_zero(m->inv_inertia) * (0.5f * m->w * m->w - d->alpha * m->theta);
+		const cni_body *b = cni_body_at(g->world, cni_awake_ids(g->world)[g->sparse->bodies[k]]);
+		float mass = cni_inverse_or_zero(m->inv_mass), inertia = cni_inverse_or_zero(m->inv_inertia);
+		float way = 4.0f * g->closed + 4.0f * FLT_EPSILON * (cni_abs(b->cx) + cni_abs(b->cy) + b->extent);
+		e.kinetic += twice_kinetic(m, m->vx, m->vy, m->w);
+		e.total += mass * (0.5f * (m->vx * m->vx + m->vy * m->vy) - (d->ax * m->dpx + d->ay * m->dpy)) +
+		           inertia * (0.5f * m->w * m->w - d->alpha * m->theta);
+		e.allowed += 0.5f * mass * (dt * dt * (d->ax * d->ax + d->ay * d->ay) + g->closing * g->closing) +
+		             0.5f * inertia * dt * dt * d->alpha * d->alpha;
+		e.rounding += mass * way * (cni_abs(d->ax) + cni_abs(d->ay));
 	}
-	return sum;
-}
-
-float cni_rattle_energy_allowed(const rattle_step *g, float dt)
-{
-	float sum = 0.0f;
-	int32_t k;
-	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
-		const cni_motion *m = g->motions + g->sparse->bodies[k];
-		const cni_external *d = cni_externals(g->world) + g->sparse->bodies[k];
-		sum += 0.5f * cni_inverse_or_zero(m->inv_mass) * (dt * dt * (d->ax * d->ax + d->ay * d->ay) + g->closing * g->closing) +
-		       0.5f * cni_inverse_or_zero(m->inv_inertia) * dt * dt * d->alpha * d->alpha;
-	}
-	return sum;
+	e.kinetic *= 0.5f;
+	return e;
 }
 
 /*
@@ -202,26 +186,11 @@ static float energy_remove(const rattle_step *g, float surplus)
 	return part * inner;
 }
 
-/* Work of external accelerations along the position error: the tolerance of closed joints and the rounding of floats. */
-static float rounding_of_positions(const rattle_step *g)
-{
-	float sum = 0.0f;
-	int32_t k;
-	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
-		const cni_motion *m = g->motions + g->sparse->bodies[k];
-		const cni_external *d = cni_externals(g->world) + g->sparse->bodies[k];
-		const cni_body *b = cni_body_at(g->world, cni_awake_ids(g->world)[g->sparse->bodies[k]]);
-		float way = 4.0f * g->closed + 4.0f * FLT_EPSILON * (cni_abs(b->cx) + cni_abs(b->cy) + b->extent);
-		sum += cni_inverse_or_zero(m->inv_mass) * way * (cni_abs(d->ax) + cni_abs(d->ay));
-	}
-	return sum;
-}
-
 /* Adds the energy gain of a step to the account and takes the excess out of the motion. A step that closed old gaps adds nothing: closing
    moved the bodies, so the gain is not of their motion. */
-void cni_rattle_account(const rattle_step *g, cni_joint_trust *t, float gained)
+void cni_rattle_account(const rattle_step *g, const rattle_energies *e, cni_joint_trust *t, float gained)
 {
-	float most = g->energy_error + CNI_RATTLE_ENERGY_ROUNDING * cni_rattle_kinetic(g) + rounding_of_positions(g);
+	float most = g->energy_error + CNI_RATTLE_ENERGY_ROUNDING * e->kinetic + e->rounding;
 	t->surplus = cni_max(t->surplus + (g->closing > 0.0f ? 0.0f : gained), -most);
 	if (!(t->surplus < FLT_MAX)) /* an account that is not finite begins anew */
 		t->surplus = 0.0f;
