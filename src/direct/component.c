@@ -148,14 +148,16 @@ static void solution_push(cn_world *world, const cni_sparse *sparse, const cni_c
 {
 	cni_motion *motions = cni_motions(world);
 	cni_joint_constraint *constraints = cni_joint_constraints(world);
+	const cni_node *nodes = sparse->nodes;
+	const int32_t end = c->end, width = c->width;
 	int32_t k, i;
-	for (k = c->begin; k < c->end; ++k) {
-		const cni_node *n = &sparse->nodes[k];
+	for (k = c->begin; k < end; ++k) {
+		const cni_node *n = &nodes[k];
 		if (n->owner < 0)
 			continue;
 		for (i = 0; i < n->rows; ++i)
 			constraints[n->owner].rows[i].impulse += n->x[i];
-		cni_levers_push(&n->levers, n->x, motions + n->ia, motions + n->ib, c->width);
+		cni_levers_push(&n->levers, n->x, motions + n->ia, motions + n->ib, width);
 	}
 }
 
@@ -270,12 +272,14 @@ void cni_direct_right_sides(cn_world *world, const cni_solve *s, const cni_compo
 {
 	const cni_motion *motions = cni_motions(world);
 	const cni_four zero = cni_four_all(0.0f);
+	const float part = bias ? 1.0f : 0.0f;
+	cni_node *nodes = s->direct->nodes;
 	int32_t k;
 	for (k = c->begin; k < c->end; ++k) {
-		cni_node *n = &s->direct->nodes[k];
+		cni_node *n = &nodes[k];
 		cni_four speed = cni_levers_speed(&n->levers, motions + n->ia, motions + n->ib);
 		cni_four_store(n->total, speed);
-		cni_four_store(n->x, cni_four_subtract(cni_four_subtract(zero, speed), cni_four_scale(cni_four_load(n->closing), bias ? 1.0f : 0.0f)));
+		cni_four_store(n->x, cni_four_subtract(cni_four_subtract(zero, speed), cni_four_scale(cni_four_load(n->closing), part)));
 	}
 	if (bias && c->loops && !c->has_contacts)
 		leaks_add(world, s->direct, c);

@@ -216,7 +216,7 @@ static int32_t projections_run(cn_world *world, const cni_solve *s, int32_t roun
 	for (k = 0; k < s->direct->projection_count; ++k) {
 		cni_projection *p = &s->direct->projections[k];
 		cni_component *c = &s->direct->components[p->component];
-		p->opening = p->selected && (c->batches ? lane_project : component_project)(world, s, c) && round < rounds_of(c);
+		p->opening = p->selected && (c->batches ? lane_project(world, s, c) : component_project(world, s, c)) && round < rounds_of(c);
 		opening |= p->opening;
 	}
 	return opening;
