@@ -25,6 +25,11 @@ static float normal_sum(const cni_direct_contact *p)
 	return p->j[0] + p->j[1];
 }
 
+static float speed_of(const cni_direct_contact_pass *q, const cni_direct_contact *p, int32_t row)
+{
+	return cni_direct_contact_speed(p, row, q->motions + p->ia, q->motions + p->ib);
+}
+
 /* Friction acts only while a point is active. */
 static void friction_follow(cni_direct_contact *p)
 {
@@ -35,9 +40,9 @@ static void friction_follow(cni_direct_contact *p)
 		p->state[2] = CNI_ROW_ACTIVE;
 }
 
-static void gap_speeds_of(const cni_direct_contact_pass *q, cni_direct_contact *p, const cni_node *n)
+static void gap_speeds_of(const cni_direct_contact_pass *q, cni_direct_contact *p)
 {
-	const cni_motion *a = q->motions + n->ia, *b = q->motions + n->ib;
+	const cni_motion *a = q->motions + p->ia, *b = q->motions + p->ib;
 	float touch = CNI_CONTACT_SET_TOUCHING * q->world->settings.length_unit;
 	int32_t i;
 	for (i = 0; i < 2; ++i) {
@@ -51,12 +56,9 @@ static void gap_speeds_of(const cni_direct_contact_pass *q, cni_direct_contact *
 
 void cni_direct_contact_gap_speeds_find(const cni_direct_contact_pass *q)
 {
-	int32_t k;
-	for (k = q->c->begin; k < q->c->end; ++k) {
-		cni_direct_contact *p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k]);
-		if (p != NULL)
-			gap_speeds_of(q, p, &q->sparse->nodes[k]);
-	}
+	cni_direct_contact *p;
+	for (p = q->first; p < q->end; ++p)
+		gap_speeds_of(q, p);
 }
 
 /*
@@ -76,8 +78,7 @@ void cni_direct_contact_impulses_clear(const cni_direct_contact_pass *q)
 	}
 	for (k = q->c->begin; k < q->c->end; ++k) {
 		const cni_node *n = &q->sparse->nodes[k];
-		cni_direct_contact *p = cni_direct_contact_of(q->sparse, n);
-		for (i = 0; p == NULL && i < cni_joint_constraints(q->world)[n->owner].row_count; ++i) {
+		for (i = 0; n->owner >= 0 && i < cni_joint_constraints(q->world)[n->owner].row_count; ++i) {
 			cni_row *r = &cni_joint_constraints(q->world)[n->owner].rows[i];
 			cni_lever l = cni_row_lever(r);
 			if (i < n->rows)
@@ -91,51 +92,37 @@ void cni_direct_contact_impulses_clear(const cni_direct_contact_pass *q)
 /* Initial state of every round of a pass: no impulses, or those of the last pass. */
 void cni_direct_contact_round_begin(const cni_direct_contact_pass *q)
 {
-	int32_t k, i;
+	cni_direct_contact *p;
+	int32_t i;
 	if (q->bias)
 		cni_direct_contact_impulses_clear(q);
 	else
 		cni_direct_motions_save(q->world, q->sparse, q->c, 1);
-	for (k = q->c->begin; k < q->c->end; ++k) {
-		const cni_node *n = &q->sparse->nodes[k];
-		cni_direct_contact *p = cni_direct_contact_of(q->sparse, n);
-		for (i = 0; p != NULL && i < 3; ++i) {
-			p->start[i] = q->bias && !q->warm ? 0.0f : n->carried[i];
+	for (p = q->first; p < q->end; ++p)
+		for (i = 0; i < 3; ++i) {
+			p->start[i] = q->bias && !q->warm ? 0.0f : q->sparse->nodes[p->node].carried[i];
 			if (q->bias)
-				cni_direct_contact_push(p, i, p->start[i], q->motions + n->ia, q->motions + n->ib);
+				cni_direct_contact_push(p, i, p->start[i], q->motions + p->ia, q->motions + p->ib);
 		}
-	}
 }
 
 void cni_direct_contact_states_save(const cni_direct_contact_pass *q, int32_t restore)
 {
-	int32_t k, i;
-	for (k = q->c->begin; k < q->c->end; ++k) {
-		cni_direct_contact *p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k]);
-		for (i = 0; p != NULL && i < 3; ++i)
-			*(restore ? &p->state[i] : &p->state_kept[i]) = restore ? p->state_kept[i] : p->state[i];
-	}
+	cni_direct_contact *p;
+	for (p = q->first; p < q->end; ++p)
+		memcpy(restore ? p->state : p->state_kept, restore ? p->state_kept : p->state, sizeof p->state);
 }
 
 /* Activates touching points that do not separate: in a new pile all of them must carry at once. */
-static void contact_activate(const cni_direct_contact_pass *q, cni_direct_contact *p, const cni_node *n)
-{
-	int32_t i;
-	for (i = 0; i < 2; ++i) {
-		cni_lever l = cni_direct_contact_lever(p, i);
-		if (p->mass[i] > 0.0f && p->state[i] == CNI_ROW_OPEN && cni_lever_speed(&l, q->motions + n->ia, q->motions + n->ib) + p->gap_speed[i] < q->speed_least)
-			p->state[i] = CNI_ROW_ACTIVE;
-	}
-	friction_follow(p);
-}
-
 static void touching_activate(const cni_direct_contact_pass *q)
 {
-	int32_t k;
-	for (k = q->c->begin; k < q->c->end; ++k) {
-		cni_direct_contact *p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k]);
-		if (p != NULL)
-			contact_activate(q, p, &q->sparse->nodes[k]);
+	cni_direct_contact *p;
+	int32_t i;
+	for (p = q->first; p < q->end; ++p) {
+		for (i = 0; i < 2; ++i)
+			if (p->mass[i] > 0.0f && p->state[i] == CNI_ROW_OPEN && speed_of(q, p, i) + p->gap_speed[i] < q->speed_least)
+				p->state[i] = CNI_ROW_ACTIVE;
+		friction_follow(p);
 	}
 }
 
@@ -256,29 +243,27 @@ typedef struct violation {
 	float by;
 } violation;
 
-static violation point_violation(const cni_direct_contact_pass *q, cni_direct_contact *p, const cni_node *n, int32_t i)
+static violation point_violation(const cni_direct_contact_pass *q, cni_direct_contact *p, int32_t i)
 {
 	violation m = { p, i, p->state[i], 0.0f };
-	cni_lever l = cni_direct_contact_lever(p, i);
 	if (p->mass[i] == 0.0f)
 		return m;
 	if (p->state[i] == CNI_ROW_ACTIVE) {
 		m.by = -p->j[i] / p->mass[i];
 		m.next = CNI_ROW_OPEN;
 	} else {
-		m.by = -(cni_lever_speed(&l, q->motions + n->ia, q->motions + n->ib) + p->gap_speed[i]);
+		m.by = -(speed_of(q, p, i) + p->gap_speed[i]);
 		m.next = CNI_ROW_ACTIVE;
 	}
 	return m;
 }
 
-static violation friction_violation(const cni_direct_contact_pass *q, cni_direct_contact *p, const cni_node *n)
+static violation friction_violation(const cni_direct_contact_pass *q, cni_direct_contact *p)
 {
 	violation m = { p, 2, p->state[2], 0.0f };
-	cni_lever l = cni_direct_contact_lever(p, 2);
 	float sum = cni_max(normal_sum(p), 0.0f);
 	if (p->state[2] == CNI_ROW_SLIDES) {
-		m.by = cni_lever_speed(&l, q->motions + n->ia, q->motions + n->ib) * p->slide_sign;
+		m.by = speed_of(q, p, 2) * p->slide_sign;
 		m.next = CNI_ROW_ACTIVE;
 	} else if (p->state[2] == CNI_ROW_ACTIVE && p->mass[2] > 0.0f) {
 		m.by = (cni_abs(p->j[2]) - p->static_friction * sum) / p->mass[2];
@@ -308,18 +293,15 @@ static int32_t slide_is_off(const cni_direct_contact_pass *q, const cni_direct_c
 static int32_t set_update(const cni_direct_contact_pass *q, int32_t all)
 {
 	violation worst = { NULL, 0, 0, 0.0f };
-	int32_t k, i, violations = 0, off = 0;
+	cni_direct_contact *p;
+	int32_t i, violations = 0, off = 0;
 	worst.by = q->speed_least;
-	for (k = q->c->begin; k < q->c->end; ++k) {
-		const cni_node *n = &q->sparse->nodes[k];
-		cni_direct_contact *p = cni_direct_contact_of(q->sparse, n);
+	for (p = q->first; p < q->end; ++p) {
 		violation m[3];
-		if (p == NULL)
-			continue;
 		off |= slide_is_off(q, p);
-		m[0] = point_violation(q, p, n, 0);
-		m[1] = point_violation(q, p, n, 1);
-		m[2] = friction_violation(q, p, n);
+		m[0] = point_violation(q, p, 0);
+		m[1] = point_violation(q, p, 1);
+		m[2] = friction_violation(q, p);
 		for (i = 0; i < 3; ++i) {
 			if (m[i].by <= q->speed_least)
 				continue;

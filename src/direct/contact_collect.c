@@ -58,7 +58,8 @@ void cni_direct_contact_read(const cn_world *world, const cni_contact *c, cni_di
 	memset(p, 0, sizeof *p);
 	p->block = c->slot / CNI_LANES;
 	p->lane = l;
-	p->node = CNI_NONE;
+	p->ia = k->ia[l];
+	p->ib = k->ib[l];
 	p->nx = k->nx[l];
 	p->ny = k->ny[l];
 	p->dn = k->dn[l];
@@ -83,7 +84,7 @@ void cni_direct_contact_read(const cn_world *world, const cni_contact *c, cni_di
 	friction_guess(p);
 }
 
-int32_t cni_direct_contacts_collect(const cn_world *world, int32_t island, cni_direct_contact *contacts, int32_t room)
+int32_t cni_direct_contacts_collect(const cn_world *world, int32_t island, int32_t *contacts, int32_t room)
 {
 	int32_t body, key, count = 0;
 	for (body = cni_island_at(world, island)->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
@@ -98,7 +99,7 @@ int32_t cni_direct_contacts_collect(const cn_world *world, int32_t island, cni_d
 				return CNI_DIRECT_CONTACTS_KIND;
 			if (count == room)
 				return CNI_DIRECT_CONTACTS_MANY;
-			cni_direct_contact_read(world, c, &contacts[count++]);
+			contacts[count++] = key >> 1;
 		}
 	return count;
 }
@@ -117,8 +118,7 @@ void cni_direct_contacts_extract(cn_world *world, cni_sparse *sparse)
 {
 	int32_t k;
 	for (k = 0; k < sparse->contact_count; ++k)
-		if (sparse->contacts[k].node != CNI_NONE)
-			contact_extract(world, &sparse->contacts[k]);
+		contact_extract(world, &sparse->contacts[k]);
 }
 
 /* Lanes of extracted contacts hold no impulses: theirs are added here. */
@@ -150,11 +150,8 @@ static void contact_restore(cn_world *world, cni_direct_contact *p)
 void cni_direct_contacts_restore(cn_world *world, cni_sparse *sparse, const cni_component *c)
 {
 	int32_t k;
-	for (k = c->begin; k < c->end; ++k) {
-		cni_direct_contact *p = cni_direct_contact_of(sparse, &sparse->nodes[k]);
-		if (p != NULL)
-			contact_restore(world, p);
-	}
+	for (k = c->contact_begin; k < c->contact_end; ++k)
+		contact_restore(world, &sparse->contacts[k]);
 }
 
 void cni_direct_contacts_restore_all(cn_world *world, cni_sparse *sparse, float h)
@@ -162,11 +159,10 @@ void cni_direct_contacts_restore_all(cn_world *world, cni_sparse *sparse, float 
 	int32_t k;
 	for (k = 0; k < sparse->contact_count; ++k) {
 		cni_direct_contact *p = &sparse->contacts[k];
-		const cni_node *n = &sparse->nodes[cni_max_i(p->node, 0)];
 		if (p->node == CNI_NONE)
 			continue;
-		if (cni_is_stressed(world, n->ia, n->ib, p->j[0] + p->j[1], h, 1.0f))
-			cni_island_at(world, cni_awake_island(world, n->ia))->good_steps = 0;
+		if (cni_is_stressed(world, p->ia, p->ib, p->j[0] + p->j[1], h, 1.0f))
+			cni_island_at(world, cni_awake_island(world, p->ia))->good_steps = 0;
 		contact_restore(world, p);
 	}
 }

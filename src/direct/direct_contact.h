@@ -65,7 +65,8 @@ enum { CNI_ROW_OPEN = 0, CNI_ROW_ACTIVE = 1, CNI_ROW_SLIDES = 2 };
 /* A touching contact taken out of its lane for the step; letters as in model/contact.h. Rows: two points, friction. */
 typedef struct cni_direct_contact {
 	int32_t block, lane;
-	int32_t node;               /* in the sparse system, CNI_NONE: not planned */
+	int32_t ia, ib;             /* dense indices of its bodies */
+	int32_t node;               /* in the sparse system, CNI_NONE: it is back in its lane */
 	float nx, ny, dn, dt, fa, fb;
 	float static_friction, dynamic_friction;
 	float at[2], an[2], s0[2];
@@ -109,6 +110,11 @@ static inline void cni_direct_contact_push(const cni_direct_contact *p, int32_t 
 	if (impulse != 0.0f)
 		cni_lever_push(&l, impulse, a, b);
 }
+static inline float cni_direct_contact_speed(const cni_direct_contact *p, int32_t row, const cni_motion *a, const cni_motion *b)
+{
+	cni_lever l = cni_direct_contact_lever(p, row);
+	return cni_lever_speed(&l, a, b);
+}
 /* 1: an axis of one of its bodies is locked. */
 int32_t cni_direct_lane_is_locked(const cn_world *world, const cni_contact *c);
 /* Of a conveyor. */
@@ -118,10 +124,10 @@ void cni_direct_contact_read(const cn_world *world, const cni_contact *c, cni_di
 /* Separation of a point now. */
 float cni_direct_contact_separation(const cni_direct_contact *p, int32_t point, const cni_motion *a, const cni_motion *b);
 
-/* Appends the touching contacts of an island. Returns their number, or that there are more than `room`, or that one is of an unsupported
+/* Lists the touching contacts of an island. Returns their number, or that there are more than `room`, or that one is of an unsupported
    kind. */
 enum { CNI_DIRECT_CONTACTS_MANY = -1, CNI_DIRECT_CONTACTS_KIND = -2 };
-int32_t cni_direct_contacts_collect(const cn_world *world, int32_t island, cni_direct_contact *contacts, int32_t room);
+int32_t cni_direct_contacts_collect(const cn_world *world, int32_t island, int32_t *contacts, int32_t room);
 /* Takes the impulses of planned contacts out of their lanes and makes the lanes idle. */
 void cni_direct_contacts_extract(cn_world *world, cni_sparse *sparse);
 /* Writes contacts back to their lanes with the present impulses: those of one component, or all. */
@@ -138,6 +144,7 @@ typedef struct cni_direct_contact_pass {
 	cni_sparse *sparse;
 	cni_component *c;
 	cni_motion *motions;
+	cni_direct_contact *first, *end; /* the component's contacts */
 	cni_island *island;
 	float speed_least;
 	int32_t bias;

@@ -20,17 +20,17 @@
 
 static void commit(const cni_direct_contact_pass *q)
 {
+	cni_direct_contact *p;
 	int32_t k, i;
 	for (k = q->c->begin; k < q->c->end; ++k) {
-		cni_node *n = &q->sparse->nodes[k];
-		cni_direct_contact *p = cni_direct_contact_of(q->sparse, n);
-		cni_row *rows = p == NULL ? cni_joint_constraints(q->world)[n->owner].rows : NULL;
-		for (i = 0; p == NULL && i < n->rows; ++i)
-			rows[i].impulse += n->total[i];
-		for (i = 0; p != NULL && i < 2; ++i)
-			p->j[i] = cni_max(p->j[i], 0.0f);
-		if (p != NULL)
-			p->untouched = 0;
+		const cni_node *n = &q->sparse->nodes[k];
+		for (i = 0; n->owner >= 0 && i < n->rows; ++i)
+			cni_joint_constraints(q->world)[n->owner].rows[i].impulse += n->total[i];
+	}
+	for (p = q->first; p < q->end; ++p) {
+		p->j[0] = cni_max(p->j[0], 0.0f);
+		p->j[1] = cni_max(p->j[1], 0.0f);
+		p->untouched = 0;
 	}
 }
 
@@ -53,12 +53,11 @@ static void state_save(const cni_direct_contact_pass *q, int32_t restore)
 /* Before the first pass of a step: impulses of the last step for this one's length of a substep. */
 static void impulses_scale(const cni_direct_contact_pass *q)
 {
-	int32_t k, i;
-	for (k = q->c->begin; k < q->c->end; ++k) {
-		cni_direct_contact *p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k]);
-		for (i = 0; p != NULL && p->untouched && i < 3; ++i)
+	cni_direct_contact *p;
+	int32_t i;
+	for (p = q->first; p < q->end; ++p)
+		for (i = 0; p->untouched && i < 3; ++i)
 			p->j[i] = q->s->warm_scale * p->first[i];
-	}
 }
 
 /*
@@ -68,24 +67,23 @@ static void impulses_scale(const cni_direct_contact_pass *q)
  */
 static void soft_state_restore(const cni_direct_contact_pass *q)
 {
-	int32_t k, i, all = q->c->joints == 0;
+	int32_t i, all = q->c->joints == 0;
+	cni_direct_contact *p;
 	if (all)
 		cni_direct_contact_impulses_clear(q);
 	else
 		state_save(q, 1);
-	for (k = q->c->begin; k < q->c->end; ++k) {
-		const cni_node *n = &q->sparse->nodes[k];
-		cni_direct_contact *p = cni_direct_contact_of(q->sparse, n);
+	for (p = q->first; p < q->end; ++p) {
 		float part;
-		if (p == NULL || !(all || p->untouched))
+		if (!all && !p->untouched)
 			continue;
 		p->untouched = 1;
-		part = q->s->warm_scale * cni_direct_soft_part(q->world, p->first[0] + p->first[1], n->ia, n->ib, q->s->h);
+		part = q->s->warm_scale * cni_direct_soft_part(q->world, p->first[0] + p->first[1], p->ia, p->ib, q->s->h);
 		for (i = 0; i < 3; ++i) {
 			p->j[i] = part * p->first[i];
 			if (i < 2)
 				p->load[i] *= part;
-			cni_direct_contact_push(p, i, p->j[i], q->motions + n->ia, q->motions + n->ib);
+			cni_direct_contact_push(p, i, p->j[i], q->motions + p->ia, q->motions + p->ib);
 		}
 	}
 }
@@ -93,13 +91,11 @@ static void soft_state_restore(const cni_direct_contact_pass *q)
 /* 1: no contact was pushed. The speeds are then closed already, and only the lever arms of joints turn. */
 static int32_t nothing_was_pushed(const cni_direct_contact_pass *q)
 {
-	int32_t k;
-	for (k = q->c->begin; k < q->c->end; ++k) {
-		const cni_direct_contact *p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k]);
-		if (p == NULL || p->gap_speed[0] < -q->speed_least || p->gap_speed[1] < -q->speed_least)
+	const cni_direct_contact *p;
+	for (p = q->first; p < q->end; ++p)
+		if (p->gap_speed[0] < -q->speed_least || p->gap_speed[1] < -q->speed_least)
 			return 0;
-	}
-	return 1;
+	return q->c->joints == 0;
 }
 
 /* ---- energy ---- */
@@ -156,13 +152,12 @@ static int32_t was_moving(const cni_direct_contact_pass *q)
 /* Twice the work of pushing overlaps apart. */
 static float push_work(const cni_direct_contact_pass *q)
 {
+	const cni_direct_contact *p;
 	float sum = 0.0f;
-	int32_t k, i;
-	for (k = q->c->begin; k < q->c->end; ++k) {
-		const cni_direct_contact *p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k]);
-		for (i = 0; p != NULL && i < 2; ++i)
+	int32_t i;
+	for (p = q->first; p < q->end; ++p)
+		for (i = 0; i < 2; ++i)
 			sum += 2.0f * p->j[i] * cni_max(-p->gap_speed[i], 0.0f);
-	}
 	return sum;
 }
 
@@ -198,31 +193,25 @@ static int32_t solve_with_kept_set(const cni_direct_contact_pass *q)
 /* ---- onset of motion ---- */
 
 /* 1: the contact opens where it touches, or slides. */
-static int32_t contact_starts_moving(const cni_direct_contact_pass *q, const cni_direct_contact *p, const cni_node *n)
+static int32_t contact_starts_moving(const cni_direct_contact_pass *q, const cni_direct_contact *p)
 {
-	const cni_motion *a = q->motions + n->ia, *b = q->motions + n->ib;
+	const cni_motion *a = q->motions + p->ia, *b = q->motions + p->ib;
 	float most = CNI_DIRECT_PARTING * q->speed_least;
-	cni_lever l = cni_direct_contact_lever(p, 2);
 	int32_t i;
-	if (p->state[2] == CNI_ROW_SLIDES && cni_abs(cni_lever_speed(&l, a, b)) > most)
+	if (p->state[2] == CNI_ROW_SLIDES && cni_abs(cni_direct_contact_speed(p, 2, a, b)) > most)
 		return 1;
-	for (i = 0; i < 2; ++i) {
-		l = cni_direct_contact_lever(p, i);
-		if (p->state[i] == CNI_ROW_OPEN && p->mass[i] > 0.0f && p->gap_speed[i] < most && cni_lever_speed(&l, a, b) > most)
+	for (i = 0; i < 2; ++i)
+		if (p->state[i] == CNI_ROW_OPEN && p->mass[i] > 0.0f && p->gap_speed[i] < most && cni_direct_contact_speed(p, i, a, b) > most)
 			return 1;
-	}
 	return 0;
 }
 
 static int32_t starts_moving(const cni_direct_contact_pass *q)
 {
-	int32_t k;
-	for (k = q->c->begin; k < q->c->end; ++k) {
-		const cni_node *n = &q->sparse->nodes[k];
-		const cni_direct_contact *p = cni_direct_contact_of(q->sparse, n);
-		if (p != NULL && contact_starts_moving(q, p, n))
+	const cni_direct_contact *p;
+	for (p = q->first; p < q->end; ++p)
+		if (contact_starts_moving(q, p))
 			return 1;
-	}
 	return 0;
 }
 
@@ -324,7 +313,7 @@ static void solution_accept(const cni_direct_contact_pass *q)
 
 int32_t cni_direct_contacts_solve(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c, int32_t bias)
 {
-	cni_direct_contact_pass q = { world, s, sparse, c, cni_motions(world), NULL, CNI_DIRECT_SPEED_LEAST * world->settings.length_unit,
+	cni_direct_contact_pass q = { world, s, sparse, c, cni_motions(world), sparse->contacts + c->contact_begin, sparse->contacts + c->contact_end, NULL, CNI_DIRECT_SPEED_LEAST * world->settings.length_unit,
 		bias, 0, CNI_CONTACT_SET_ROUNDS, !bias, 0, 0.0f, { 0.0f, 0.0f } };
 	int32_t shared = world->cone_work + world->set_work > 0;
 	if (!bias && c->nothing_pushed)

@@ -258,7 +258,6 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 		cni_component *c = &out->components[k];
 		if (far && k + 1 < out->component_count)
 			cni_component_prefetch(world, out, k + 1);
-		c->has_contacts = c->joints < c->end - c->begin;
 		c->regular = c->has_contacts ? CNI_REGULARIZATION_CONTACTS : c->loops ? CNI_REGULARIZATION_LOOPS : 0.0f;
 		c->mass_ratio = mass_ratio(world, out, c);
 		c->uses_rattle = CNI_ON(RATTLE) && !c->has_contacts && cni_component_uses_rattle(world, s, out, c);

@@ -57,7 +57,7 @@ uint64_t cni_direct_bytes(int32_t solver, int32_t joints, int32_t contacts, int3
 	uint64_t link = sizeof(cni_link) + 2 * sizeof(cni_motion) + sizeof(cni_projection) + 1;
 	if (links == 0 || solver == CN_SOLVER_SOFT || solver == CN_SOLVER_SEQUENTIAL)
 		return 0;
-	return cni_tree_batch_bytes(joints) + link * (uint64_t)links + sizeof(cni_direct_contact) * (uint64_t)taken +
+	return cni_tree_batch_bytes(joints) + link * (uint64_t)links + (sizeof(cni_direct_contact) + sizeof(int32_t)) * (uint64_t)taken +
 	       2 * sizeof(int32_t) * (uint64_t)contacts + (sizeof(float) + sizeof(cni_rot) + sizeof(int32_t)) * (uint64_t)(bodies + 1) + 896 + sizeof(cni_heavy_contact) * CNI_HEAVY_CONTACTS_MOST + cni_sparse_bytes(links, bodies + 1, work);
 }
 
@@ -123,19 +123,19 @@ static int32_t joint_links_collect(const cn_world *world, cni_link *links)
 
 /* ---- contacts ---- */
 
-/* Collects the contacts of directly solved islands; refuses islands with too many contacts or with an unsupported kind. */
-static void contacts_collect(cn_world *world, cni_direct_contact *contacts, int32_t room, cni_sparse *out)
+/* Lists the contacts of directly solved islands; refuses islands with too many contacts or with an unsupported kind. Returns their number. */
+static int32_t contacts_collect(cn_world *world, int32_t *contacts, int32_t room)
 {
 	const int32_t *islands = (const int32_t *)world->direct_islands.data;
-	int32_t k;
-	out->contacts = contacts;
+	int32_t k, all = 0;
 	for (k = 0; k < world->direct_islands.count; ++k) {
-		int32_t count = cni_direct_contacts_collect(world, islands[k], contacts + out->contact_count, room - out->contact_count);
+		int32_t count = cni_direct_contacts_collect(world, islands[k], contacts + all, room - all);
 		if (count < 0)
 			cni_island_refuse(world, islands[k], count == CNI_DIRECT_CONTACTS_MANY ? CN_TIER_REASON_CROWDED : CN_TIER_REASON_KIND);
 		else
-			out->contact_count += count;
+			all += count;
 	}
+	return all;
 }
 
 static int32_t island_of(const cn_world *world, const cni_link *link)
@@ -149,19 +149,18 @@ static int32_t contact_link_work(const cn_world *world, const cni_link *link)
 	return contact_work(most ? CN_SOLVER_DIRECT : world->settings.solver);
 }
 
-static int32_t contact_links_collect(const cn_world *world, const cni_sparse *sparse, cni_link *links)
+static void contact_links_make(const cn_world *world, const int32_t *contacts, int32_t count, cni_link *links)
 {
 	int32_t k;
-	for (k = 0; k < sparse->contact_count; ++k) {
-		const cni_direct_contact *p = &sparse->contacts[k];
+	for (k = 0; k < count; ++k) {
+		int32_t slot = cni_contact_at(world, contacts[k])->slot;
 		cni_link *link = &links[k];
-		link->ia = cni_block_at(world, p->block)->ia[p->lane];
-		link->ib = cni_block_at(world, p->block)->ib[p->lane];
+		link->ia = cni_block_at(world, slot / CNI_LANES)->ia[slot % CNI_LANES];
+		link->ib = cni_block_at(world, slot / CNI_LANES)->ib[slot % CNI_LANES];
 		link->owner = -1 - k;
 		link->rows = 3;
 		link->work_most = contact_link_work(world, link);
 	}
-	return sparse->contact_count;
 }
 
 /* ---- planned and unplanned links ---- */
@@ -203,8 +202,8 @@ static void impulses_forget(cn_world *world, cni_joint_constraint *w)
 		w->rows[i].impulse = 0.0f;
 }
 
-/* Flags the joint constraints in the plan and stores the nodes of the contacts. */
-static void owners_mark(cn_world *world, const cni_link *links, int32_t count, const uint8_t *planned, cni_sparse *out)
+/* Flags the joint constraints in the plan. */
+static void joints_mark(cn_world *world, const cni_link *links, int32_t count, const uint8_t *planned)
 {
 	int32_t k;
 	for (k = 0; k < count; ++k) {
@@ -215,9 +214,22 @@ static void owners_mark(cn_world *world, const cni_link *links, int32_t count, c
 		else
 			impulses_forget(world, cni_joint_constraints(world) + links[k].owner);
 	}
-	for (k = 0; k < out->node_count; ++k)
-		if (out->nodes[k].owner < 0)
-			out->contacts[-1 - out->nodes[k].owner].node = k;
+}
+
+/* Reads the contacts of a component's nodes in their order, and renumbers them. */
+static void contacts_read(const cn_world *world, const int32_t *contacts, cni_sparse *out, cni_component *c)
+{
+	int32_t k;
+	c->contact_begin = out->contact_count;
+	for (k = c->begin; k < c->end && c->has_contacts; ++k) {
+		cni_direct_contact *p = &out->contacts[out->contact_count];
+		if (out->nodes[k].owner >= 0)
+			continue;
+		cni_direct_contact_read(world, cni_contact_at(world, contacts[-1 - out->nodes[k].owner]), p);
+		p->node = k;
+		out->nodes[k].owner = -1 - out->contact_count++;
+	}
+	c->contact_end = out->contact_count;
 }
 
 /* Most work of a substep, for one factorization. */
@@ -246,11 +258,12 @@ static int32_t links_plan(cn_world *world, const cni_link *links, int32_t count,
 
 /* ---- the plan ---- */
 
-/* Scratch arrays of the step beside the plan. 0: no scratch memory. */
-static int32_t scratch_take(cn_world *world, cni_sparse *out)
+/* Scratch arrays of the step beside the plan. 0: no scratch memory. contacts: most contacts of the plan. */
+static int32_t scratch_take(cn_world *world, cni_sparse *out, int32_t contacts)
 {
 	cni_arena *arena = &world->arena;
 	uint64_t bodies = (uint64_t)world->awake_count;
+	out->contacts = (cni_direct_contact *)cni_arena_push(arena, sizeof(cni_direct_contact) * (uint64_t)contacts);
 	out->saved = (cni_motion *)cni_arena_push(arena, sizeof(cni_motion) * (uint64_t)out->body_count);
 	out->pull = (float *)cni_arena_push(arena, sizeof(float) * bodies);
 	out->turn = (cni_rot *)cni_arena_push(arena, sizeof(cni_rot) * bodies);
@@ -258,25 +271,25 @@ static int32_t scratch_take(cn_world *world, cni_sparse *out)
 	out->projection_slots = (int32_t *)cni_arena_push(arena, 2 * sizeof(int32_t) * (uint64_t)world->touching_count); /* each at two bodies */
 	out->projection_of = (int32_t *)cni_arena_push(arena, sizeof(int32_t) * bodies);
 	out->heavies = (cni_heavy_contact *)cni_arena_push(arena, sizeof(cni_heavy_contact) * CNI_HEAVY_CONTACTS_MOST);
-	return out->heavies != NULL && out->saved != NULL && out->pull != NULL && out->turn != NULL && out->projections != NULL && out->projection_slots != NULL && out->projection_of != NULL;
+	return out->contacts != NULL && out->heavies != NULL && out->saved != NULL && out->pull != NULL && out->turn != NULL && out->projections != NULL && out->projection_slots != NULL && out->projection_of != NULL;
 }
 
 int32_t cni_direct_plan(cn_world *world, cni_sparse *out)
 {
-	int32_t room = contacts_most(world);
-	int32_t joints = world->awake_joints.count, count;
-	cni_direct_contact *contacts = (cni_direct_contact *)cni_arena_push(&world->arena, sizeof(cni_direct_contact) * (uint64_t)room);
+	int32_t room = contacts_most(world), joints = world->awake_joints.count, contact_count, count, k;
+	int32_t *contacts = (int32_t *)cni_arena_push(&world->arena, sizeof(int32_t) * (uint64_t)room);
 	cni_link *links;
 	uint8_t *planned;
 	if (contacts == NULL)
 		return 0;
-	contacts_collect(world, contacts, room, out);
-	links = (cni_link *)cni_arena_push(&world->arena, sizeof(cni_link) * (uint64_t)(joints + out->contact_count));
-	planned = links == NULL ? NULL : (uint8_t *)cni_arena_push(&world->arena, (uint64_t)(joints + out->contact_count));
+	contact_count = contacts_collect(world, contacts, room);
+	links = (cni_link *)cni_arena_push(&world->arena, sizeof(cni_link) * (uint64_t)(joints + contact_count));
+	planned = links == NULL ? NULL : (uint8_t *)cni_arena_push(&world->arena, (uint64_t)(joints + contact_count));
 	if (planned == NULL)
 		return 0;
 	count = joint_links_collect(world, links);
-	count += contact_links_collect(world, out, links + count);
+	contact_links_make(world, contacts, contact_count, links + count);
+	count += contact_count;
 	if (count == 0)
 		return 1;
 	if (!links_plan(world, links, count, 0, out, planned))
@@ -290,6 +303,13 @@ int32_t cni_direct_plan(cn_world *world, cni_sparse *out)
 			return 0;
 		(void)islands_refuse(world, links, count, planned); /* joints without their contacts may have taken the budget of others */
 	}
-	owners_mark(world, links, count, planned, out);
-	return scratch_take(world, out);
+	joints_mark(world, links, count, planned);
+	if (!scratch_take(world, out, contact_count))
+		return 0;
+	for (k = 0; k < out->component_count; ++k) {
+		cni_component *c = &out->components[k];
+		c->has_contacts = c->joints < c->end - c->begin;
+		contacts_read(world, contacts, out, c);
+	}
+	return 1;
 }

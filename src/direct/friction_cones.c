@@ -33,8 +33,6 @@
 
 typedef struct cone {
 	const cni_direct_contact_pass *pass;
-	cni_sparse *sparse;
-	cni_component *c;
 	int32_t count;         /* number of existing slacks */
 	int32_t factors, factors_most;
 	float tau;
@@ -69,33 +67,32 @@ static float slack_mass(const cni_direct_contact *p, int32_t i)
 
 /* ---- the beginning ---- */
 
-static void rows_push(const cone *q, const cni_direct_contact *p, const cni_node *n, const float change[3])
+static void rows_push(const cone *q, const cni_direct_contact *p, const float change[3])
 {
 	int32_t i;
 	for (i = 0; i < 3; ++i)
-		cni_direct_contact_push(p, i, change[i], q->pass->motions + n->ia, q->pass->motions + n->ib);
+		cni_direct_contact_push(p, i, change[i], q->pass->motions + p->ia, q->pass->motions + p->ib);
 }
 
 /* Residual speeds of the rows. */
-static void speeds_of(const cone *q, const cni_direct_contact *p, const cni_node *n, float out[3])
+static void speeds_of(const cone *q, const cni_direct_contact *p, float out[3])
 {
+	const cni_motion *a = q->pass->motions + p->ia, *b = q->pass->motions + p->ib;
 	int32_t i;
-	for (i = 0; i < 3; ++i) {
-		cni_lever l = cni_direct_contact_lever(p, i);
-		out[i] = row_exists(p, i) ? cni_lever_speed(&l, q->pass->motions + n->ia, q->pass->motions + n->ib) + (i < 2 ? p->gap_speed[i] + p->lift : 0.0f) + cni_direct_contact_leak(p, i) : 0.0f;
-	}
+	for (i = 0; i < 3; ++i)
+		out[i] = row_exists(p, i) ? cni_direct_contact_speed(p, i, a, b) + (i < 2 ? p->gap_speed[i] + p->lift : 0.0f) + cni_direct_contact_leak(p, i) : 0.0f;
 }
 
 /* Starts from the impulses of the last pass. */
-static void contact_warm_start(const cone *q, cni_direct_contact *p, const cni_node *n)
+static void contact_warm_start(const cone *q, cni_direct_contact *p)
 {
 	float change[3];
 	int32_t i;
 	for (i = 0; i < 3; ++i) {
-		p->j[i] = n->carried[i];
+		p->j[i] = q->pass->sparse->nodes[p->node].carried[i];
 		change[i] = p->j[i] - p->start[i];
 	}
-	rows_push(q, p, n, change);
+	rows_push(q, p, change);
 	p->coefficient = p->state[2] == CNI_ROW_SLIDES ? p->dynamic_friction : p->static_friction;
 	p->coefficient = p->coefficient > CNI_CONE_FRICTION_LEAST ? p->coefficient : 0.0f;
 	p->lift = 0.0f;
@@ -103,13 +100,13 @@ static void contact_warm_start(const cone *q, cni_direct_contact *p, const cni_n
 
 static void warm_start(cone *q)
 {
+	const cni_direct_contact_pass *pass = q->pass;
+	cni_direct_contact *p;
 	int32_t k, i;
-	for (k = q->c->begin; k < q->c->end; ++k) {
-		cni_direct_contact *p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k]);
-		memset(q->sparse->nodes[k].total, 0, sizeof q->sparse->nodes[k].total);
-		if (p == NULL)
-			continue;
-		contact_warm_start(q, p, &q->sparse->nodes[k]);
+	for (k = pass->c->begin; k < pass->c->end; ++k)
+		memset(pass->sparse->nodes[k].total, 0, sizeof pass->sparse->nodes[k].total);
+	for (p = pass->first; p < pass->end; ++p) {
+		contact_warm_start(q, p);
 		for (i = 0; i < 4; ++i)
 			q->count += slack_exists(p, i);
 	}
@@ -117,11 +114,11 @@ static void warm_start(cone *q)
 
 /* Moves the impulses inside of the cones, with equal products of slacks and multipliers; the changes go into start. A separated point has
    three multipliers that must add up to its speed. */
-static void contact_center(const cone *q, cni_direct_contact *p, const cni_node *n, float speed)
+static void contact_center(const cone *q, cni_direct_contact *p, float speed)
 {
 	float speeds[3], most;
 	int32_t i;
-	speeds_of(q, p, n, speeds);
+	speeds_of(q, p, speeds);
 	for (i = 0; i < 3; ++i)
 		p->start[i] = -p->j[i];
 	for (i = 0; i < 2; ++i)
@@ -136,28 +133,24 @@ static void contact_center(const cone *q, cni_direct_contact *p, const cni_node 
 		p->dual[i] = slack_exists(p, i) ? q->tau * slack_mass(p, i) / p->slack[i] : 0.0f;
 }
 
-static float speed_missing(const cone *q, const cni_direct_contact *p, const cni_node *n)
+static float speed_missing(const cone *q, const cni_direct_contact *p)
 {
 	float speeds[3];
-	speeds_of(q, p, n, speeds);
+	speeds_of(q, p, speeds);
 	return cni_max(cni_max(-speeds[0], -speeds[1]), cni_abs(speeds[2]));
 }
 
 static void center(cone *q)
 {
 	float speed = q->pass->speed_least;
-	int32_t k;
 	cni_direct_contact *p;
-	for (k = q->c->begin; k < q->c->end; ++k)
-		if ((p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k])) != NULL)
-			speed = cni_max(speed, speed_missing(q, p, &q->sparse->nodes[k]));
+	for (p = q->pass->first; p < q->pass->end; ++p)
+		speed = cni_max(speed, speed_missing(q, p));
 	q->tau = speed * speed;
-	for (k = q->c->begin; k < q->c->end; ++k)
-		if ((p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k])) != NULL)
-			contact_center(q, p, &q->sparse->nodes[k], speed);
-	for (k = q->c->begin; k < q->c->end; ++k)
-		if ((p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k])) != NULL)
-			rows_push(q, p, &q->sparse->nodes[k], p->start);
+	for (p = q->pass->first; p < q->pass->end; ++p)
+		contact_center(q, p, speed);
+	for (p = q->pass->first; p < q->pass->end; ++p)
+		rows_push(q, p, p->start);
 }
 
 /* ---- a step ---- */
@@ -180,12 +173,13 @@ static void contact_residuals(cone *q, const cni_direct_contact *p, const float 
 }
 
 /* Levers, diagonal and right side of a contact's Newton step. */
-static void contact_newton(cone *q, cni_direct_contact *p, cni_node *n)
+static void contact_newton(cone *q, cni_direct_contact *p)
 {
+	cni_node *n = &q->pass->sparse->nodes[p->node];
 	float d2 = stiffness_of(p, 2), d3 = stiffness_of(p, 3), speeds[3], push[4], both, lift;
 	cni_lever friction = cni_direct_contact_lever(p, 2);
 	int32_t i;
-	speeds_of(q, p, n, speeds);
+	speeds_of(q, p, speeds);
 	contact_residuals(q, p, speeds);
 	for (i = 0; i < 4; ++i)
 		push[i] = slack_exists(p, i) ? (q->tau * slack_mass(p, i) - p->cross[i]) / p->slack[i] : 0.0f;
@@ -244,14 +238,12 @@ static float distance_to(float from, float change)
 /* Step length. */
 static float step_length(const cone *q)
 {
+	const cni_direct_contact *p;
 	float most = FLT_MAX;
-	int32_t k, i;
-	for (k = q->c->begin; k < q->c->end; ++k) {
-		const cni_direct_contact *p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k]);
-		cni_node *n = &q->sparse->nodes[k];
+	int32_t i;
+	for (p = q->pass->first; p < q->pass->end; ++p) {
+		cni_node *n = &q->pass->sparse->nodes[p->node];
 		float slack[4], dual[4];
-		if (p == NULL)
-			continue;
 		n->x[2] += p->slope * (n->x[0] + n->x[1]);
 		changes_of(q, p, n, slack, dual);
 		for (i = 0; i < 4; ++i)
@@ -266,9 +258,9 @@ static float step_apply(const cone *q, float length)
 {
 	float sum = 0.0f;
 	int32_t k, i;
-	for (k = q->c->begin; k < q->c->end; ++k) {
-		cni_direct_contact *p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k]);
-		cni_node *n = &q->sparse->nodes[k];
+	for (k = q->pass->c->begin; k < q->pass->c->end; ++k) {
+		cni_node *n = &q->pass->sparse->nodes[k];
+		cni_direct_contact *p = cni_direct_contact_of(q->pass->sparse, n);
 		float slack[4], dual[4];
 		if (p != NULL)
 			changes_of(q, p, n, slack, dual);
@@ -280,7 +272,7 @@ static float step_apply(const cone *q, float length)
 			cni_levers_push(&n->levers, n->x, q->pass->motions + n->ia, q->pass->motions + n->ib, CNI_NODE_ROWS);
 			continue;
 		}
-		rows_push(q, p, n, n->x);
+		rows_push(q, p, n->x);
 		for (i = 0; i < 3; ++i)
 			p->j[i] += n->x[i];
 		for (i = 0; i < 4; ++i) {
@@ -297,14 +289,12 @@ static float step_apply(const cone *q, float length)
    multiplier that the predictor would reach. */
 static float predictor_store(cone *q, float length)
 {
+	cni_direct_contact *p;
 	float sum = 0.0f;
-	int32_t k, i;
-	for (k = q->c->begin; k < q->c->end; ++k) {
-		cni_direct_contact *p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k]);
+	int32_t i;
+	for (p = q->pass->first; p < q->pass->end; ++p) {
 		float slack[4], dual[4];
-		if (p == NULL)
-			continue;
-		changes_of(q, p, &q->sparse->nodes[k], slack, dual);
+		changes_of(q, p, &q->pass->sparse->nodes[p->node], slack, dual);
 		for (i = 0; i < 4; ++i) {
 			p->cross[i] = slack[i] * dual[i];
 			sum += slack_exists(p, i) ? (p->slack[i] + length * slack[i]) * (p->dual[i] + length * dual[i]) / slack_mass(p, i) : 0.0f;
@@ -315,22 +305,23 @@ static float predictor_store(cone *q, float length)
 
 static void newton_set(cone *q)
 {
+	const cni_direct_contact_pass *pass = q->pass;
+	cni_direct_contact *p;
 	int32_t k;
 	q->residual = q->violation = 0.0f;
-	for (k = q->c->begin; k < q->c->end; ++k) {
-		cni_direct_contact *p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k]);
-		if (p != NULL)
-			contact_newton(q, p, &q->sparse->nodes[k]);
-		else
-			joint_newton(q, &q->sparse->nodes[k]);
-	}
+	for (p = pass->first; p < pass->end; ++p)
+		contact_newton(q, p);
+	for (k = pass->c->begin; k < pass->c->end && pass->c->joints > 0; ++k)
+		if (pass->sparse->nodes[k].owner >= 0)
+			joint_newton(q, &pass->sparse->nodes[k]);
 }
 
 /* ---- the end ---- */
 
 /* Sets the states for the set that the next pass begins with. Open rows get no impulse. */
-static void contact_finish(const cone *q, cni_direct_contact *p, cni_node *n)
+static void contact_finish(const cone *q, cni_direct_contact *p)
 {
+	cni_node *n = &q->pass->sparse->nodes[p->node];
 	float change[3] = { 0.0f, 0.0f, 0.0f };
 	int32_t i;
 	for (i = 0; i < 2; ++i) {
@@ -344,24 +335,13 @@ static void contact_finish(const cone *q, cni_direct_contact *p, cni_node *n)
 		p->state[2] = CNI_ROW_OPEN;
 		change[2] = -p->j[2];
 	}
-	rows_push(q, p, n, change);
+	rows_push(q, p, change);
 	for (i = 0; i < 3; ++i)
 		p->j[i] += change[i];
 	memset(&n->levers, 0, sizeof n->levers);
 	memset(n->compliance, 0, sizeof n->compliance);
 	n->cross = 0.0f;
 	n->active = 0;
-}
-
-static void contacts_finish(const cone *q)
-{
-	int32_t k;
-	for (k = q->c->begin; k < q->c->end; ++k) {
-		cni_direct_contact *p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k]);
-		if (p != NULL)
-			contact_finish(q, p, &q->sparse->nodes[k]);
-	}
-	q->c->factored = 0;
 }
 
 static int32_t iterate(cone *q)
@@ -376,15 +356,15 @@ static int32_t iterate(cone *q)
 		if (q->factors == q->factors_most)
 			return 0;
 		++q->factors;
-		cni_sparse_factor(q->sparse, q->c, q->pass->motions);
-		if (!cni_sparse_solve(q->sparse, q->c))
+		cni_sparse_factor(q->pass->sparse, q->pass->c, q->pass->motions);
+		if (!cni_sparse_solve(q->pass->sparse, q->pass->c))
 			return 0;
 		length = step_length(q);
 		predicted = predictor_store(q, length);
 		part = predicted / mean;
 		q->tau = cni_max(mean * part * part * part, cni_sq(CNI_CONE_PATH_SPEED * cni_max(q->residual, q->pass->speed_least)));
 		newton_set(q);
-		if (!cni_sparse_solve(q->sparse, q->c))
+		if (!cni_sparse_solve(q->pass->sparse, q->pass->c))
 			return 0;
 		length = step_length(q);
 		mean = step_apply(q, length);
@@ -394,12 +374,11 @@ static int32_t iterate(cone *q)
 /* Updates lift speeds and dynamic friction from the slips, for the next round. Returns the largest change of lift. */
 static float slips_find(const cone *q)
 {
+	cni_direct_contact *p;
 	float most = 0.0f;
-	int32_t k;
-	for (k = q->c->begin; k < q->c->end; ++k) {
-		cni_direct_contact *p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k]);
+	for (p = q->pass->first; p < q->pass->end; ++p) {
 		float slip, was;
-		if (p == NULL || p->coefficient == 0.0f)
+		if (p->coefficient == 0.0f)
 			continue;
 		slip = cni_abs(p->dual[2] - p->dual[3]);
 		was = p->lift;
@@ -427,7 +406,8 @@ static int32_t factors_most(const cni_direct_contact_pass *pass)
 
 int32_t cni_direct_contacts_cone(const cni_direct_contact_pass *pass, int32_t *out_factors)
 {
-	cone q = { pass, pass->sparse, pass->c, 0, 0, factors_most(pass), 0.0f, 0.0f, 0.0f };
+	cone q = { pass, 0, 0, factors_most(pass), 0.0f, 0.0f, 0.0f };
+	cni_direct_contact *p;
 	int32_t good = 1, round;
 	float change = FLT_MAX;
 	pass->c->regular = CNI_REGULARIZATION_CONTACTS;
@@ -437,7 +417,9 @@ int32_t cni_direct_contacts_cone(const cni_direct_contact_pass *pass, int32_t *o
 		good = iterate(&q);
 		change = slips_find(&q);
 	}
-	contacts_finish(&q);
+	for (p = pass->first; p < pass->end; ++p)
+		contact_finish(&q, p);
+	pass->c->factored = 0;
 	*out_factors = q.factors;
 	return good;
 }

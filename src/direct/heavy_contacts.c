@@ -34,7 +34,6 @@
 typedef struct changes {
 	cni_direct_contact p;
 	cni_contact_block *block;
-	int32_t ia, ib;
 	cni_motion a, b, rest;
 } changes;
 
@@ -47,8 +46,8 @@ static cni_motion at_rest(const cni_motion *m)
 
 static void changes_clear(const cn_world *world, changes *d)
 {
-	d->a = at_rest(cni_motions(world) + d->ia);
-	d->b = at_rest(cni_motions(world) + d->ib);
+	d->a = at_rest(cni_motions(world) + d->p.ia);
+	d->b = at_rest(cni_motions(world) + d->p.ib);
 	memset(&d->rest, 0, sizeof d->rest);
 }
 
@@ -57,21 +56,13 @@ static changes changes_begin(const cn_world *world, int32_t contact)
 	changes d;
 	cni_direct_contact_read(world, cni_contact_at(world, contact), &d.p);
 	d.block = cni_block_at(world, d.p.block);
-	d.ia = d.block->ia[d.p.lane];
-	d.ib = d.block->ib[d.p.lane];
 	changes_clear(world, &d);
 	return d;
 }
 
-static float row_speed(const cni_direct_contact *p, int32_t row, const cni_motion *a, const cni_motion *b)
-{
-	cni_lever l = cni_direct_contact_lever(p, row);
-	return cni_lever_speed(&l, a, b);
-}
-
 static cni_motion *change_of(changes *d, int32_t index)
 {
-	return index == d->ia ? &d->a : index == d->ib ? &d->b : &d->rest;
+	return index == d->p.ia ? &d->a : index == d->p.ib ? &d->b : &d->rest;
 }
 
 /* Right sides of the joints against these changes. */
@@ -114,7 +105,7 @@ static void response_find(const cn_world *world, cni_sparse *sparse, cni_heavy_c
 {
 	changes d = changes_begin(world, h->contact);
 	const cni_direct_contact *p = &d.p;
-	float least = sparse->projection_of[d.ia] == sparse->projection_of[d.ib] ? 1.0f : INVERSE_MASS_LEAST;
+	float least = sparse->projection_of[d.p.ia] == sparse->projection_of[d.p.ib] ? 1.0f : INVERSE_MASS_LEAST;
 	int32_t row, k;
 	h->turn_most = FLT_MAX;
 	h->impulse_most = CNI_HEAVY_SPEED_MOST * world->settings.push_speed_max *
@@ -126,7 +117,7 @@ static void response_find(const cn_world *world, cni_sparse *sparse, cni_heavy_c
 		cni_direct_contact_push(p, row, p->mass[row], &d.a, &d.b);
 		response_add(sparse, &sparse->components[h->component], &d);
 		for (k = 0; k < 3; ++k)
-			h->k[k][row] = row_speed(p, k, &d.a, &d.b) / p->mass[row];
+			h->k[k][row] = cni_direct_contact_speed(p, k, &d.a, &d.b) / p->mass[row];
 		h->k[row][row] = cni_max(h->k[row][row], least / p->mass[row]);
 		h->turn_most = cni_min(h->turn_most, CNI_HEAVY_TURN_PART * cni_sqrt(p->mass[row] * h->k[row][row]));
 	}
@@ -157,9 +148,9 @@ static void responses_find(cn_world *world, const cni_solve *s, cni_sparse *spar
 static float bounce_speed(const cn_world *world, const cni_solve *s, int32_t point, const changes *d, float restitution)
 {
 	const cni_direct_contact *p = &d->p;
-	const cni_motion *a = cni_motions(world) + d->ia, *b = cni_motions(world) + d->ib;
-	const cni_external *ea = cni_externals(world) + d->ia, *eb = cni_externals(world) + d->ib;
-	float gap = cni_direct_contact_separation(p, point, a, b), speed = row_speed(p, point, a, b);
+	const cni_motion *a = cni_motions(world) + d->p.ia, *b = cni_motions(world) + d->p.ib;
+	const cni_external *ea = cni_externals(world) + d->p.ia, *eb = cni_externals(world) + d->p.ib;
+	float gap = cni_direct_contact_separation(p, point, a, b), speed = cni_direct_contact_speed(p, point, a, b);
 	float closing = p->nx * (ea->ax - eb->ax) + p->ny * (ea->ay - eb->ay); /* acceleration */
 	if (p->mass[point] <= 0.0f || speed >= -s->restitution_threshold || -speed * p->mass[point] <= p->j[point] || gap + s->dt * speed >= world->settings.slop)
 		return 0.0f;
@@ -215,7 +206,7 @@ static int32_t is_pressed(const cn_world *world, const cni_solve *s, int32_t con
 	float stress = slow ? CNI_HEAVY_SLOW_STRESS : fixed ? CNI_HEAVY_STATIC_STRESS : CNI_HEAVY_CONTACT_STRESS;
 	float speed = stress * cni_length(world->settings.gravity) * s->h;
 	changes d = changes_begin(world, contact);
-	const cni_motion *a = cni_motions(world) + d.ia, *b = cni_motions(world) + d.ib;
+	const cni_motion *a = cni_motions(world) + d.p.ia, *b = cni_motions(world) + d.p.ib;
 	int32_t k;
 	for (k = 0; k < 2; ++k) {
 		float closing;
@@ -223,7 +214,7 @@ static int32_t is_pressed(const cn_world *world, const cni_solve *s, int32_t con
 			return 1;
 		if (d.p.mass[k] <= 0.0f || d.p.j[k] > 0.0f)
 			continue;
-		closing = row_speed(&d.p, k, a, b);
+		closing = cni_direct_contact_speed(&d.p, k, a, b);
 		if ((!fixed || slow || closing < s->contact[0].impact_speed) && cni_direct_contact_separation(&d.p, k, a, b) + s->dt * closing < world->settings.slop)
 			return 1;
 	}
@@ -383,7 +374,7 @@ static float row_target(const cn_world *world, const cni_solve *s, const cni_hea
 	float m = 1.0f / h->k[row][row], separation;
 	if (row == 2)
 		return pass == PASS_BOUNCE ? p->j[2] : friction_target(p, m, speed - h->tangent_speed);
-	separation = cni_direct_contact_separation(p, row, cni_motions(world) + d->ia, cni_motions(world) + d->ib);
+	separation = cni_direct_contact_separation(p, row, cni_motions(world) + d->p.ia, cni_motions(world) + d->p.ib);
 	if (pass == PASS_BOUNCE)
 		return bounce_target(h, p, row, speed, separation, world->settings.slop);
 	return cni_min(cni_max(h->impulse_most, p->j[row]), normal_target(s, p, row, m, speed, separation, pass));
@@ -395,7 +386,7 @@ static void rows_solve(const cn_world *world, const cni_solve *s, const cni_heav
 	float u[3];
 	int32_t round, row, k;
 	for (k = 0; k < 3; ++k)
-		u[k] = row_speed(p, k, cni_motions(world) + d->ia, cni_motions(world) + d->ib);
+		u[k] = cni_direct_contact_speed(p, k, cni_motions(world) + d->p.ia, cni_motions(world) + d->p.ib);
 	for (round = 0; round < CNI_HEAVY_CONTACT_ROUNDS; ++round)
 		for (row = 0; row < 3; ++row) {
 			float target;
@@ -426,7 +417,7 @@ static void impulses_apply(cn_world *world, const cni_solve *s, cni_component *c
 	int32_t row;
 	for (row = 0; row < 3; ++row) {
 		cni_direct_contact_push(p, row, p->j[row] - p->first[row], &d->a, &d->b);
-		cni_direct_contact_push(p, row, p->j[row] - p->first[row], motions + d->ia, motions + d->ib);
+		cni_direct_contact_push(p, row, p->j[row] - p->first[row], motions + d->p.ia, motions + d->p.ib);
 	}
 	sides_set(s->direct, c, d);
 	if (!cni_direct_apply(world, s->direct, c))

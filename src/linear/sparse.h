@@ -73,6 +73,7 @@ typedef struct cni_component {
 	int32_t uses_rattle;           /* 1: direct/rattle.c takes the bodies' whole step */
 	int32_t done;                  /* 1: finished for this step */
 	int32_t has_contacts;          /* 1: with contacts, see direct/direct_contacts.c */
+	int32_t contact_begin, contact_end; /* ... in contacts */
 	int32_t cone_pushed;           /* ... 1: direct/friction_cones.c ran in the pass with bias of this substep */
 	int32_t denied;                /* ... 1: ... did not run, for the work of other components in this step */
 	int32_t nothing_pushed;        /* ... 1: no contact was pushed in this substep */
@@ -138,7 +139,7 @@ typedef struct cni_sparse {
 	int32_t arena_entries;        /* entries of the arena before planning */
 	struct cni_tree_batch *batches;       /* direct/batched_trees.c */
 	int32_t batch_count;
-	struct cni_direct_contact *contacts;   /* direct contacts: the owner of contact i's node is -1 - i */
+	struct cni_direct_contact *contacts;   /* direct contacts in the order of their nodes: the owner of contact i's node is -1 - i */
 	int32_t contact_count;
 	cni_projection *projections;          /* direct/joint_projection.c, by component */
 	int32_t projection_count;
@@ -165,7 +166,7 @@ typedef struct cni_system {
    their order and blocks. out_planned[i]: 1 when link i became a node. Bodies that cannot move do not connect nodes.
    kept (NULL: keep nothing) holds the plan of the previous call in items of CNI_KEPT_BYTES. The plan is reused when links,
    moving bodies and budget equal those of that call, else it is replaced; out points into it. Entries pushed to the arena
-   stay until the end of the step. The caller passes out zeroed except for contacts; the nodes' numbers are not written.
+   stay until the end of the step. The caller passes out zeroed; the nodes' numbers are not written.
    0: not enough memory, nothing planned. */
 int32_t cni_sparse_plan(cni_arena *arena, cni_array *kept, const cni_system *system, cni_sparse *out, uint8_t *out_planned);
 /* Zeroes the numbers of a component's nodes, before their first use. */
