@@ -131,6 +131,8 @@ void cni_direct_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, c
 
 void cni_direct_system(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c)
 {
+	if (c->damps)
+		cni_direct_rotations(world, sparse, c);
 	if (c->active)
 		cni_active_clear(sparse, c);
 	cni_geometric_stiffness_damp(world, sparse, c, s->h);

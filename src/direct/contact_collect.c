@@ -104,21 +104,25 @@ int32_t cni_direct_contacts_collect(const cn_world *world, int32_t island, int32
 	return count;
 }
 
-/* Makes its lane idle. */
-static void contact_extract(cn_world *world, const cni_direct_contact *p)
+static void lane_write(cn_world *world, const cni_direct_contact *p, const float mass[3], const float j[3], const float load[2])
 {
 	cni_contact_block *block = cni_block_at(world, p->block);
 	int32_t i;
-	block->tm[p->lane] = block->jt[p->lane] = 0.0f;
-	for (i = 0; i < 2; ++i)
-		block->p[i].nm[p->lane] = block->p[i].jn[p->lane] = block->p[i].load[p->lane] = 0.0f;
+	block->tm[p->lane] = mass[2];
+	block->jt[p->lane] = j[2];
+	for (i = 0; i < 2; ++i) {
+		block->p[i].nm[p->lane] = mass[i];
+		block->p[i].jn[p->lane] = j[i];
+		block->p[i].load[p->lane] = load[i];
+	}
 }
 
 void cni_direct_contacts_extract(cn_world *world, cni_sparse *sparse)
 {
+	const float idle[3] = { 0.0f, 0.0f, 0.0f };
 	int32_t k;
 	for (k = 0; k < sparse->contact_count; ++k)
-		contact_extract(world, &sparse->contacts[k]);
+		lane_write(world, &sparse->contacts[k], idle, idle, idle);
 }
 
 /* Lanes of extracted contacts hold no impulses: theirs are added here. */
@@ -135,15 +139,7 @@ void cni_direct_sum_impulses(cn_world *world, const cni_sparse *sparse)
 /* A solved contact's impulse is exact, so it becomes the load. */
 static void contact_restore(cn_world *world, cni_direct_contact *p)
 {
-	cni_contact_block *block = cni_block_at(world, p->block);
-	int32_t i;
-	block->tm[p->lane] = p->mass[2];
-	block->jt[p->lane] = p->j[2];
-	for (i = 0; i < 2; ++i) {
-		block->p[i].nm[p->lane] = p->mass[i];
-		block->p[i].jn[p->lane] = p->j[i];
-		block->p[i].load[p->lane] = p->untouched ? p->load[i] : p->j[i];
-	}
+	lane_write(world, p, p->mass, p->j, p->untouched ? p->load : p->j);
 	p->node = CNI_NONE;
 }
 

@@ -307,22 +307,6 @@ static void contacts_release(cn_world *world, cni_sparse *sparse, cni_component 
 		cni_island_refuse(world, cni_awake_island(world, sparse->bodies[c->body_begin]), CN_TIER_REASON_NO_SET);
 }
 
-/* ---- one pass ---- */
-
-static void joints_solve(cn_world *world, const cni_solve *s, cni_component *c, int32_t bias)
-{
-	cni_direct_right_sides(world, s, c, bias);
-	cni_component_solve(world, s, c);
-}
-
-/* The system at the new rotations. */
-static void component_refresh(cn_world *world, const cni_solve *s, cni_component *c)
-{
-	if (c->damps)
-		cni_direct_rotations(world, s->direct, c);
-	cni_direct_system(world, s, s->direct, c);
-}
-
 /* ---- a substep ---- */
 
 void cni_direct_warm_start(cn_world *world, const cni_solve *s)
@@ -341,11 +325,13 @@ void cni_direct_solve(cn_world *world, const cni_solve *s, int32_t bias)
 		if (c->done || c->batches)
 			continue;
 		if (!bias && c->joints > 0)
-			component_refresh(world, s, c);
+			cni_direct_system(world, s, s->direct, c);
 		if (c->has_contacts && !cni_direct_contacts_solve(world, s, s->direct, c, bias))
 			contacts_release(world, s->direct, c);
-		if (!c->has_contacts)
-			joints_solve(world, s, c, bias);
+		if (!c->has_contacts) {
+			cni_direct_right_sides(world, s, c, bias);
+			cni_component_solve(world, s, c);
+		}
 		if (bias && c->kind == CNI_NONE)
 			(void)cni_component_lock(world, s, c, CNI_SNAP_RAD);
 	}

@@ -16,11 +16,6 @@
 #include "direct/direct_contact.h"
 #include "model/tuning.h"
 
-static int32_t may_open(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
-{
-	return !c->done && !c->has_contacts && cni_component_touched(world, sparse, c) > 0;
-}
-
 /* Most rounds of contacts of a component in a substep: an impact travels through a tree joint by joint. */
 static int32_t rounds_of(const cni_component *c)
 {
@@ -45,9 +40,11 @@ void cni_projection_mark(const cn_world *world, cni_sparse *sparse)
 	int32_t k;
 	for (k = 0; k < world->awake_count; ++k)
 		sparse->projection_of[k] = CNI_NONE;
-	for (k = 0; k < sparse->component_count; ++k)
-		if (may_open(world, sparse, &sparse->components[k]))
+	for (k = 0; k < sparse->component_count; ++k) {
+		const cni_component *c = &sparse->components[k];
+		if (!c->done && !c->has_contacts && cni_component_touched(world, sparse, c) > 0)
 			projection_add(sparse, k);
+	}
 }
 
 /* 1: contacts would open a joint by more than CNI_BAD_PART of the accuracy in this substep. Reads the right sides. */

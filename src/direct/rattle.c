@@ -67,18 +67,14 @@ static int32_t only_component_holds(const cn_world *world, int32_t index)
 	return 1;
 }
 
-/* A pin with a spring or motor: excluded without building its rows. */
-static int32_t constraint_is_driven(const cni_joint_constraint *w)
-{
-	return w->record->type == CN_JOINT_REVOLUTE && (w->record->flags & (CN_JOINT_SPRING | CN_JOINT_MOTOR));
-}
-
 int32_t cni_component_uses_rattle(cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c)
 {
 	int32_t k;
-	for (k = c->begin; k < c->end; ++k)
-		if (constraint_is_driven(&cni_joint_constraints(world)[sparse->nodes[k].owner]))
-			return 0;
+	for (k = c->begin; k < c->end; ++k) {
+		const cni_joint *j = cni_joint_constraints(world)[sparse->nodes[k].owner].record;
+		if (j->type == CN_JOINT_REVOLUTE && (j->flags & (CN_JOINT_SPRING | CN_JOINT_MOTOR)))
+			return 0; /* without building its rows */
+	}
 	for (k = c->body_begin; k < c->body_end; ++k)
 		if (!only_component_holds(world, sparse->bodies[k]))
 			return 0;
@@ -111,19 +107,10 @@ static void bases_place(rattle_step *g, float elapsed)
 {
 	int32_t k;
 	g->elapsed = elapsed;
-	for (k = g->c->begin; k < g->c->end && g->has_bases; ++k) {
+	for (k = g->c->begin; k < g->c->end && g->held; ++k) {
 		base_place(g, g->sparse->nodes[k].ia);
 		base_place(g, g->sparse->nodes[k].ib);
 	}
-}
-
-static int32_t has_bases(const rattle_step *g)
-{
-	int32_t k;
-	for (k = g->c->begin; k < g->c->end; ++k)
-		if (is_base(g, g->sparse->nodes[k].ia) || is_base(g, g->sparse->nodes[k].ib))
-			return 1;
-	return 0;
 }
 
 /* ---- one substep ---- */
@@ -397,18 +384,13 @@ static void last_substep_begins(const rattle_step *g, const cni_solve *s)
 	}
 }
 
-static void bodies_finish(const rattle_step *g)
-{
-	int32_t k;
-	for (k = g->c->body_begin; k < g->c->body_end; ++k)
-		cni_externals(g->world)[g->sparse->bodies[k]].flags |= CNI_EXTERNAL_FINISHED;
-}
-
 /* Scales impulses to the world's substep, for which reactions are read. */
-static void constraints_finish(const rattle_step *g, const cni_solve *s)
+static void step_finish(const rattle_step *g, const cni_solve *s)
 {
 	float scale = s->h / g->h;
 	int32_t k, i;
+	for (k = g->c->body_begin; k < g->c->body_end; ++k)
+		cni_externals(g->world)[g->sparse->bodies[k]].flags |= CNI_EXTERNAL_FINISHED;
 	for (k = g->c->begin; k < g->c->end; ++k) {
 		cni_joint_constraint *w = constraint_of(g, k);
 		impulses_store(g, k, scale);
@@ -494,7 +476,7 @@ static void trust_write(const rattle_step *g, const cni_joint_trust *trust)
 /* Runs all substeps, or stops at the first that fails. Returns 1 when none did. */
 static int32_t substeps_run(rattle_step *g, const cni_solve *s, int32_t substeps, int32_t projects)
 {
-	int32_t k, moving = cni_component_held(g->world, g->sparse, g->c) > 0;
+	int32_t k;
 	g->base_work = 0.0f;
 	for (k = 0; k < substeps; ++k) {
 		int32_t how;
@@ -504,7 +486,7 @@ static int32_t substeps_run(rattle_step *g, const cni_solve *s, int32_t substeps
 		if (how == BROKEN || (how == OPEN && !(projects && g->c->loops)))
 			return 0;
 		constraints_stress(g);
-		if (moving)
+		if (g->held)
 			g->base_work += cni_rattle_base_work(g);
 	}
 	g->energy_error = cni_rattle_energy_error(g, s);
@@ -596,7 +578,7 @@ static void component_run(cn_world *world, const cni_solve *s, cni_component *c)
 	float rods, last_h = s->warm_scale > 0.0f ? s->h / s->warm_scale : s->h; /* substep of the records' impulses */
 	cni_joint_trust trust = trust_read(&g);
 	int32_t projects;
-	g.has_bases = has_bases(&g);
+	g.held = cni_component_held(world, g.sparse, c) > 0;
 	cni_direct_rotations(world, g.sparse, c);
 	rods = cni_geometric_stiffness_rods(world, g.sparse, c, last_h);
 	cni_geometric_stiffness_find(world, g.sparse, c, last_h);
@@ -615,8 +597,7 @@ static void component_run(cn_world *world, const cni_solve *s, cni_component *c)
 	}
 	trust_write(&g, &trust);
 	bases_place(&g, 0.0f); /* the substeps move them */
-	bodies_finish(&g);
-	constraints_finish(&g, s);
+	step_finish(&g, s);
 }
 
 void cni_rattle_run(cn_world *world, const cni_solve *s)

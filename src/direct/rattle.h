@@ -19,7 +19,7 @@ typedef struct rattle_step {
 	float energy_error; /* h^2 m a^2 / 4 of the last substep: bound on the method's energy error */
 	float base_work;   /* work of moving bodies without mass at their joints in this step */
 	float elapsed;     /* since the step began */
-	int32_t has_bases; /* 1: joints end at kinematic bodies */
+	int32_t held;      /* 1: joints end at bodies without mass */
 } rattle_step;
 
 static inline cni_joint_constraint *constraint_of(const rattle_step *g, int32_t node)

@@ -105,7 +105,7 @@ static cni_vec2 place_of(const rattle_step *g, int32_t index)
 /* The motion of one rigid body with the component's momenta; a body that does not turn keeps it from turning. */
 static rigid_motion rigid_of(const rattle_step *g)
 {
-	rigid_motion r = { 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, cni_component_held(g->world, g->sparse, g->c) > 0 };
+	rigid_motion r = { 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, g->held };
 	float spin = 0.0f;
 	int32_t turns = 1, k;
 	for (k = g->c->body_begin; k < g->c->body_end && !r.fixed; ++k) {

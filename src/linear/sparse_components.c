@@ -80,12 +80,6 @@ static int64_t component_limit(const cni_planner *p)
 	return most < INT32_MAX ? most : INT32_MAX; /* cni_component.work */
 }
 
-/* The bipartite graph of nodes and moving bodies is connected, so it is a tree when it has one edge fewer than vertices. */
-static int32_t component_is_tree(const cni_planner *p)
-{
-	return p->ends == p->member_count + p->body_count - 1;
-}
-
 /* For a tree: 1 when no body has more than two nodes and the first node is an end of the chain. */
 static int32_t is_chain_from_its_end(const cni_planner *p)
 {
@@ -131,12 +125,13 @@ static int32_t loops_order(cni_planner *p, int64_t most)
 
 /* ---- planning ---- */
 
-/* Orders the component and adds it to the plan if it is within its limits. */
+/* Orders the component and adds it to the plan if it is within its limits. The bipartite graph of its nodes and moving bodies is connected,
+   so it is a tree when it has one edge fewer than vertices. */
 static void component_plan(cni_planner *p)
 {
 	cni_sparse *s = p->out;
 	cni_component *c = &s->components[s->component_count];
-	int32_t k, tree = component_is_tree(p);
+	int32_t k, tree = p->ends == p->member_count + p->body_count - 1;
 	if (p->hub > CNI_HUB_MOST || !(tree ? tree_order(p, component_limit(p)) : loops_order(p, component_limit(p))))
 		return;
 	memset(c, 0, sizeof *c);

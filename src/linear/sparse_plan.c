@@ -316,14 +316,6 @@ static int32_t plan_make(cni_planner *p, cni_array *array, kept_plan *kept)
 
 /* ---- using it ---- */
 
-static void node_make(cni_node *n, const cni_link *link)
-{
-	n->ia = link->ia;
-	n->ib = link->ib;
-	n->owner = link->owner;
-	n->rows = link->rows;
-}
-
 /* Makes the step's working copy: nodes, components, memory for the numbers. */
 static int32_t plan_take(const cni_planner *p, const kept_plan *kept)
 {
@@ -336,8 +328,13 @@ static int32_t plan_take(const cni_planner *p, const kept_plan *kept)
 		return 0;
 	s->components = (cni_component *)(void *)((uint8_t *)s->nodes + rounded((uint64_t)h->node_count * sizeof(cni_node)));
 	s->blocks = s->pivots + (size_t)h->node_count * CNI_BLOCK_FLOATS;
-	for (k = 0; k < h->node_count; ++k)
-		node_make(&s->nodes[k], &kept->links[kept->order[k]]);
+	for (k = 0; k < h->node_count; ++k) {
+		const cni_link *link = &kept->links[kept->order[k]];
+		s->nodes[k].ia = link->ia;
+		s->nodes[k].ib = link->ib;
+		s->nodes[k].owner = link->owner;
+		s->nodes[k].rows = link->rows;
+	}
 	memcpy(s->components, kept->components, sizeof(cni_component) * (size_t)h->component_count);
 	memcpy(p->planned, kept->planned, (size_t)h->link_count);
 	s->first = kept->first;
@@ -350,11 +347,6 @@ static int32_t plan_take(const cni_planner *p, const kept_plan *kept)
 	s->component_count = h->component_count;
 	s->body_count = h->body_count;
 	return 1;
-}
-
-static void counts_clear(cni_sparse *s)
-{
-	s->node_count = s->block_count = s->coupling_count = s->component_count = s->body_count = 0;
 }
 
 /* Finds the topology classes of a new plan and keeps them with it. */
@@ -395,9 +387,8 @@ int32_t cni_sparse_plan(cni_arena *arena, cni_array *kept, const cni_system *sys
 	}
 	if (kept != NULL && !reusable)
 		kept->count = 0; /* its topology classes are missing */
-	cni_planner_pop_to(arena, out->arena_entries);
 	memset(out_planned, 0, (uint32_t)system->link_count);
-	counts_clear(out);
+	cni_sparse_discard(arena, out);
 	return 0;
 }
 
@@ -413,5 +404,5 @@ void cni_sparse_clear(cni_sparse *s, const cni_component *c)
 void cni_sparse_discard(cni_arena *arena, cni_sparse *sparse)
 {
 	cni_planner_pop_to(arena, sparse->arena_entries);
-	counts_clear(sparse);
+	sparse->node_count = sparse->block_count = sparse->coupling_count = sparse->component_count = sparse->body_count = 0;
 }
