@@ -18,14 +18,6 @@
 
 /* ---- components ---- */
 
-/* Returns all joints to the soft solver. */
-static void joints_release(cn_world *world)
-{
-	int32_t k;
-	for (k = 0; k < world->awake_joints.count; ++k)
-		cni_joint_constraints(world)[k].flags &= ~(uint32_t)CNI_CONSTRAINT_DIRECT;
-}
-
 /* ---- the step ---- */
 
 /* Work of a step, in the units of work_budget. */
@@ -246,7 +238,6 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 	if ((world->awake_joints.count == 0 && world->direct_islands.count == 0) || world->settings.solver == CN_SOLVER_SOFT || cni_joint_lanes_need_no_plan(world))
 		return;
 	if (!cni_direct_plan(world, out)) {
-		joints_release(world);
 		world->direct_failed = 1;
 		world->warnings |= CN_WARNING_FRAME_MEMORY;
 		return;

@@ -303,9 +303,9 @@ int32_t cni_direct_plan(cn_world *world, cni_sparse *out)
 			return 0;
 		(void)islands_refuse(world, links, count, planned); /* joints without their contacts may have taken the budget of others */
 	}
-	joints_mark(world, links, count, planned);
 	if (!scratch_take(world, out, contact_count))
 		return 0;
+	joints_mark(world, links, count, planned);
 	for (k = 0; k < out->component_count; ++k) {
 		cni_component *c = &out->components[k];
 		c->has_contacts = c->joints < c->end - c->begin;

@@ -11,7 +11,7 @@
 
 /* ---- components of joints that are solved directly: direct/component.c ---- */
 
-/* Plans the components of this step and flags their joint constraints. 0: no scratch memory. direct/direct_plan.c */
+/* Plans the components of this step and flags their joint constraints. 0: no scratch memory, no joint is flagged. direct/direct_plan.c */
 int32_t cni_direct_plan(cn_world *world, cni_sparse *out);
 /* Reads the nodes' levers from the rows of their joint constraints and factors the system. */
 void cni_direct_refresh(cn_world *world, cni_sparse *sparse, const cni_component *c);

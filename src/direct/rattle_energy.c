@@ -65,13 +65,13 @@ float cni_rattle_energy_error(const rattle_step *g, const cni_solve *s)
 }
 
 /* Closing speed of the row from the motion of its massless bodies alone. */
-static float base_speed(const cni_lever *l, const cni_motion *a, const cni_motion *b)
+static float base_speed(const cni_levers *l, int32_t row, const cni_motion *a, const cni_motion *b)
 {
 	float speed = 0.0f;
 	if (a->inv_mass == 0.0f)
-		speed += l->ax * a->vx + l->ay * a->vy + l->aw * a->w;
+		speed += l->ax[row] * a->vx + l->ay[row] * a->vy + l->aw[row] * a->w;
 	if (b->inv_mass == 0.0f)
-		speed += l->bx * b->vx + l->by * b->vy + l->bw * b->w;
+		speed += l->bx[row] * b->vx + l->by[row] * b->vy + l->bw[row] * b->w;
 	return speed;
 }
 
@@ -82,10 +82,8 @@ float cni_rattle_base_work(const rattle_step *g)
 	int32_t k, i;
 	for (k = g->c->begin; k < g->c->end; ++k) {
 		const cni_node *n = &g->sparse->nodes[k];
-		for (i = 0; i < n->rows; ++i) {
-			cni_lever l = cni_levers_row(&n->levers, i);
-			work -= n->total[i] * base_speed(&l, g->motions + n->ia, g->motions + n->ib);
-		}
+		for (i = 0; i < n->rows; ++i)
+			work -= n->total[i] * base_speed(&n->levers, i, g->motions + n->ia, g->motions + n->ib);
 	}
 	return work;
 }

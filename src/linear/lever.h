@@ -21,12 +21,6 @@ typedef struct cni_levers {
 	float bx[CNI_NODE_LANES], by[CNI_NODE_LANES], bw[CNI_NODE_LANES];
 } cni_levers;
 
-static inline cni_lever cni_levers_row(const cni_levers *l, int32_t row)
-{
-	cni_lever one = { l->ax[row], l->ay[row], l->aw[row], l->bx[row], l->by[row], l->bw[row] };
-	return one;
-}
-
 static inline void cni_levers_set(cni_levers *l, int32_t row, cni_lever one)
 {
 	l->ax[row] = one.ax;
