@@ -36,7 +36,7 @@ void cni_direct_rotations(const cn_world *world, cni_sparse *sparse, const cni_c
 
 /* Right sides: the missing speeds of the component's rows, with error correction (bias 1) or without, into its nodes' x. */
 void cni_direct_right_sides(cn_world *world, const cni_solve *s, const cni_component *c, int32_t bias);
-/* Solves for the impulses and applies them; on failure the joints become soft. direct/active_rows.c */
+/* Solves for the impulses and applies them; on failure the joints become soft. */
 void cni_component_solve(cn_world *world, const cni_solve *s, cni_component *c);
 static inline void cni_trust_suspend(cn_world *world, cni_joint_trust *t, int32_t span, int32_t soft)
 {
@@ -94,6 +94,8 @@ void cni_active_clear(cni_sparse *sparse, const cni_component *c);
 void cni_active_levers(const cn_world *world, cni_sparse *sparse, const cni_component *c);
 /* Their right sides, after those of the rigid rows. */
 void cni_active_right_sides(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c, int32_t bias);
+/* Rows beyond their bound leave the set, others return. Returns 1 when the set has changed. */
+int32_t cni_active_change(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c);
 /* Adds the solution to the impulses of the rows in the set. */
 void cni_active_impulses_add(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
 
@@ -134,7 +136,7 @@ void cni_geometric_stiffness_damp(const cn_world *world, cni_sparse *sparse, con
    positions to follow: faster than `most`. Returns 1 when it locked any: the component must be factored again. */
 int32_t cni_geometric_stiffness_lock(const cn_world *world, const cni_sparse *sparse, cni_component *c, float most);
 /* Locks joints of bodies that would turn farther than this in the substep, and solves the component again if there are any.
-   Returns 1 then. direct/active_rows.c */
+   Returns 1 then. */
 int32_t cni_component_lock(cn_world *world, const cni_solve *s, cni_component *c, float turn);
 
 #endif
