@@ -163,7 +163,7 @@ static float *lane_restitution(const cn_world *world, int32_t contact)
 	return &cni_block_info_at(world, slot / CNI_LANES)->restitution[slot % CNI_LANES];
 }
 
-static cni_heavy_contact heavy_make(const cn_world *world, const cni_solve *s, int32_t component, int32_t contact, const changes *d)
+static cni_heavy_contact heavy_make(const cn_world *world, const cni_solve *s, int32_t component, int32_t contact)
 {
 	cni_heavy_contact h;
 	memset(&h, 0, sizeof h);
@@ -172,8 +172,9 @@ static cni_heavy_contact heavy_make(const cn_world *world, const cni_solve *s, i
 	h.tangent_speed = cni_direct_lane_tangent_speed(world, cni_contact_at(world, contact));
 	h.restitution = *lane_restitution(world, contact);
 	if (h.restitution > 0.0f) {
-		h.bounce[0] = bounce_speed(world, s, 0, d, h.restitution);
-		h.bounce[1] = bounce_speed(world, s, 1, d, h.restitution);
+		changes d = changes_begin(world, contact);
+		h.bounce[0] = bounce_speed(world, s, 0, &d, h.restitution);
+		h.bounce[1] = bounce_speed(world, s, 1, &d, h.restitution);
 	}
 	return h;
 }
@@ -200,11 +201,12 @@ static int32_t is_borne(const cn_world *world, const cni_heavy_contact *h)
 /* 1: it bears more than a few weights, or it bears nothing and its points may meet in this step. With a static body only extreme loads count,
    as those of a rope that carries 2,000 links over a peg, and impacts: the heavy end of a lever follows when its light arm hits the ground.
    Of a slow component all contacts count alike: it is to come to rest. */
-static int32_t is_pressed(const cn_world *world, const cni_solve *s, const changes *d, int32_t fixed, int32_t slow)
+static int32_t is_pressed(const cn_world *world, const cni_solve *s, int32_t contact, int32_t fixed, int32_t slow)
 {
 	float stress = slow ? CNI_HEAVY_SLOW_STRESS : fixed ? CNI_HEAVY_STATIC_STRESS : CNI_HEAVY_CONTACT_STRESS;
 	float speed = stress * cni_length(world->settings.gravity) * s->h;
-	const cni_direct_contact *p = &d->p;
+	changes d = changes_begin(world, contact);
+	const cni_direct_contact *p = &d.p;
 	const cni_motion *a = cni_motions(world) + p->ia, *b = cni_motions(world) + p->ib;
 	int32_t k;
 	for (k = 0; k < 2; ++k) {
@@ -240,16 +242,14 @@ static void body_contacts_list(const cn_world *world, const cni_solve *s, cni_sp
 		float inv_mass = cni_motions(world)[other->awake].inv_mass;
 		int32_t light = ratio * inv_mass >= cni_motions(world)[index].inv_mass;
 		cni_heavy_contact h;
-		changes d;
 		if (!cni_contact_has_lane(c))
 			continue;
 		--left;
 		if ((light && *lane_restitution(world, key >> 1) <= 0.0f) || cni_direct_lane_is_locked(world, c))
 			continue;
-		d = changes_begin(world, key >> 1);
-		h = heavy_make(world, s, component, key >> 1, &d);
+		h = heavy_make(world, s, component, key >> 1);
 		h.is_light = (uint8_t)light;
-		if (light ? bounces(&h) && is_free(world, other) : is_pressed(world, s, &d, inv_mass == 0.0f, slow))
+		if (light ? bounces(&h) && is_free(world, other) : is_pressed(world, s, key >> 1, inv_mass == 0.0f, slow))
 			sparse->heavies[sparse->heavy_count++] = h;
 	}
 }
