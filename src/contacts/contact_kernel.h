@@ -10,8 +10,10 @@
  * A soft constraint subtracts a part of its impulse. This damps the contact, but a stack under its weight would sink into
  * itself. So the pass subtracts a part of impulse - load, where load is the slow mean of the contact's impulse: a body at rest
  * keeps no overlap whatever it carries, and sudden impulses stay soft. The mean must be slower than impulses travel through the
- * largest pile; see CNI_LOAD_RATE in model/solve.h. Between settled bodies the load does not rise: rising loads would press
- * wedged bodies ever harder, until one slips.
+ * largest pile; see CNI_LOAD_RATE in model/solve.h. Of a load that exceeds the impulse only the impulse counts, so that no contact pulls. The
+ * load itself falls as slowly as it rises: one that fell at once, where a swaying tower rests on its other edge, would be missing when
+ * the tower swings back, and drive its sway. Between settled bodies the load does not rise: rising loads would press wedged bodies ever harder,
+ * until one slips.
  *
  * Contacts harden with depth, as the loads of a moving crowd change faster than a mean can follow; see step/solve_make.c.
  *
@@ -114,7 +116,7 @@ CNI_INLINE point point_prepare(const cni_contact_block *k, const cni_contact_row
 	q.m = scale * nm;
 	q.target = scale * q.old - nm * (scale * vn + push);
 	if (bias && CNI_ON(COMPLIANCE_OFFSETS))
-		q.target += (1.0f - scale) * cni_wide_load(p->load + l);
+		q.target += (1.0f - scale) * cni_wide_min(cni_wide_load(p->load + l), q.old);
 	if (!bias || bounces != NULL) {
 		/* Impacts belong to restitution.c. If its sweeps find that bodies do not meet in this substep, they meet in the next, and
 		   braking would take the speed that the impact there should return. At low restitution only the relax pass skips the contact,
@@ -489,13 +491,13 @@ CNI_INLINE cni_mask lanes_settled(const cni_external *externals, const cni_conta
 #endif
 }
 
-/* Moves a load slowly towards the impulse, more slowly for large impulses. It never exceeds the impulse, and does not rise between
-   settled bodies. m: the larger inverse mass. */
+/* Moves a load slowly towards the impulse, more slowly for large impulses. Between settled bodies it does not rise, and a point that bears
+   nothing has none. m: the larger inverse mass. */
 CNI_INLINE cni_wide load_update(cni_wide load, cni_wide jn, cni_wide m, cni_mask settled, const cni_contact_pass *pass)
 {
 	cni_wide speed = jn * m, part = cni_wide_min(cni_wide_of(pass->load_part), pass->load_heavy / (speed * speed + FLT_MIN));
-	part = cni_wide_select(settled, cni_wide_of(0.0f), part);
-	return cni_wide_min(load + part * (jn - load), jn);
+	load += cni_wide_select(settled & (jn >= load), cni_wide_of(0.0f), part) * (jn - load);
+	return cni_wide_select(jn > cni_wide_of(0.0f), load, cni_wide_of(0.0f));
 }
 
 CNI_INLINE void warm_group(cni_motion *motions, const cni_external *externals, cni_contact_block *k, cni_block_extra *extra, int32_t l, const cni_contact_pass *pass)

@@ -18,14 +18,14 @@ typedef struct arch_scene {
 
 #define ARCH_SCENES 8
 static const arch_scene arch_scenes[ARCH_SCENES] = {
-	{ "shapes", scene_shapes, 0x95751234341e81be },
-	{ "joints", scene_joints, 0xd3150042de2a1ee3 },
-	{ "direct", scene_direct, 0xf12e85e8b65b49d8 },
-	{ "tiers", scene_tiers, 0x6d8c16729bfbb91f },
+	{ "shapes", scene_shapes, 0x4cbfae011f1d3379 },
+	{ "joints", scene_joints, 0x45cdb63a32b55480 },
+	{ "direct", scene_direct, 0xa7049e90560e8378 },
+	{ "tiers", scene_tiers, 0xd9d0447916522562 },
 	{ "sequential", scene_sequential, 0x6bc77927e99d3264 },
-	{ "queries", scene_queries, 0xc2f73fc905b99ec2 },
-	{ "events", scene_events, 0x093501eb2ddd5593 },
-	{ "file", scene_file, 0x47d5a5c75ef43ed2 },
+	{ "queries", scene_queries, 0xb60042162b4b3322 },
+	{ "events", scene_events, 0x76a43ce4d336a2c2 },
+	{ "file", scene_file, 0x890fc0c709e83de8 },
 };
 
 /* The number of a scene; 0 if a call failed: arch_failed_line. */

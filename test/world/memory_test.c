@@ -333,7 +333,7 @@ static void moving_world_asks_for_nothing(void)
 	session_hooks hooks;
 	cn_world *world = counted_world(&hooks, 0);
 	build_tumbler(world, 300);
-	check_steady(world, &hooks, 2500, 600, 0);
+	check_steady(world, &hooks, 3000, 600, 0);
 	cn_world_destroy(world);
 	CHECK(hooks.pieces == 0 && hooks.wrong == 0);
 }
