@@ -59,10 +59,10 @@ void cni_component_release(cn_world *world, cni_sparse *sparse, cni_component *c
 	c->done = 1;
 }
 
-float cni_direct_soft_part(const cn_world *world, float impulse, int32_t ia, int32_t ib, float h)
+float cni_direct_soft_part(const cn_world *world, float impulse, int32_t ia, int32_t ib)
 {
 	float speed = impulse * cni_max(cni_motions(world)[ia].inv_mass, cni_motions(world)[ib].inv_mass);
-	float most = CNI_SOFT_STRESS * cni_length(world->settings.gravity) * h;
+	float most = cni_soft_speed_most(world);
 	return speed > most ? most / speed : 1.0f;
 }
 

@@ -78,7 +78,7 @@ static void soft_state_restore(const cni_direct_contact_pass *q)
 		if (!all && !p->untouched)
 			continue;
 		p->untouched = 1;
-		part = q->s->warm_scale * cni_direct_soft_part(q->world, p->first[0] + p->first[1], p->ia, p->ib, q->s->h);
+		part = q->s->warm_scale * cni_direct_soft_part(q->world, p->first[0] + p->first[1], p->ia, p->ib);
 		for (i = 0; i < 3; ++i) {
 			p->j[i] = part * p->first[i];
 			if (i < 2)

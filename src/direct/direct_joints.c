@@ -71,9 +71,9 @@ static float widest_gap(const cn_world *world, const cni_sparse *sparse, const c
 	return most;
 }
 
-static int32_t is_open(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+static int32_t is_open(const cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c)
 {
-	return widest_gap(world, sparse, c) > CNI_LOOP_OPEN * world->settings.length_unit;
+	return widest_gap(world, sparse, c) > CNI_LOOP_OPEN * s->h * s->h * world->settings.length_unit;
 }
 
 /* 1: in the last step its joints were soft, as they had been given up. */
@@ -92,13 +92,13 @@ static int32_t was_soft(const cn_world *world, const cni_sparse *sparse, const c
  * would throw the body. So the loop stays soft for the longest span of a trust: of 80 seeds of the family `bridge` 8 are worse than soft
  * constraints with 32 steps, 3 with 128, 2 with 256.
  */
-static int32_t loop_is_better_soft(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+static int32_t loop_is_better_soft(const cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c)
 {
 	int32_t touched, opened, fixed, bodies = c->body_end - c->body_begin;
 	if (!CNI_ON(SOFT_LOOPS) || world->settings.solver != CN_SOLVER_AUTO || !c->loops || c->has_contacts || bodies == 0 || is_requested(world, sparse, c))
 		return 0;
 	touched = cni_component_touched(world, sparse, c);
-	opened = was_soft(world, sparse, c) && is_open(world, sparse, c);
+	opened = was_soft(world, sparse, c) && is_open(world, s, sparse, c);
 	if (touched == 0 && (c->uses_rattle || !opened))
 		return 0;
 	fixed = cni_component_held(world, sparse, c);
@@ -124,7 +124,7 @@ static void contact_impulses_scale(cn_world *world, const cni_sparse *sparse, co
  * hung net had 1e5 times their weight. Joints and contacts that contradict each other grow likewise. Exact joints cancel it in all bodies; soft
  * ones would throw them. All impulses are scaled by one factor, so that they still cancel.
  */
-static void impulses_soften(cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c)
+static void impulses_soften(cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
 	float part = 1.0f;
 	int32_t k, i;
@@ -133,7 +133,7 @@ static void impulses_soften(cn_world *world, const cni_solve *s, const cni_spars
 		float sum = 0.0f;
 		for (i = 0; i < sparse->nodes[k].rows; ++i)
 			sum += cni_abs(w->record->impulse[i]);
-		part = cni_min(part, cni_direct_soft_part(world, sum, w->ia, w->ib, s->h));
+		part = cni_min(part, cni_direct_soft_part(world, sum, w->ia, w->ib));
 	}
 	if (part == 1.0f)
 		return;
@@ -156,7 +156,7 @@ static int32_t is_torn(const cn_world *world, const cni_sparse *sparse, const cn
 }
 
 /* Is the joint beyond a limit under thousands of weights? */
-static int32_t is_forced(const cn_world *world, const cni_solve *s, const cni_joint_constraint *w)
+static int32_t is_forced(const cn_world *world, const cni_joint_constraint *w)
 {
 	int32_t i, beyond = 0;
 	float sum = 0.0f;
@@ -164,16 +164,16 @@ static int32_t is_forced(const cn_world *world, const cni_solve *s, const cni_jo
 		beyond |= w->rows[i].kind == CNI_ROW_LIMIT && w->rows[i].error < -CNI_LIMIT_FORCED;
 	for (i = 0; beyond && i < w->row_count; ++i)
 		sum += cni_abs(w->record->impulse[w->rows[i].slot]);
-	return beyond && cni_direct_soft_part(world, sum, w->ia, w->ib, s->h) < 0.1f;
+	return beyond && cni_direct_soft_part(world, sum, w->ia, w->ib) < 0.1f;
 }
 
 /* A component whose joints contradict each other: pins hold a part beyond its limit. Impulses of exact joints would grow in each step, and
    throw it when it is let go. */
-static int32_t is_contradictory(const cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c)
+static int32_t is_contradictory(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
 	int32_t k;
 	for (k = c->begin; k < c->end && !c->has_contacts; ++k)
-		if (is_forced(world, s, cni_joint_constraints(world) + sparse->nodes[k].owner))
+		if (is_forced(world, cni_joint_constraints(world) + sparse->nodes[k].owner))
 			return 1;
 	return 0;
 }
@@ -209,7 +209,7 @@ static int32_t is_ill_scaled(cn_world *world, const cni_solve *s, cni_sparse *sp
 {
 	if (c->has_contacts || c->mass_ratio < CNI_ILL_MASS_RATIO)
 		return 0;
-	if (was_soft(world, sparse, c) && is_open(world, sparse, c))
+	if (was_soft(world, sparse, c) && is_open(world, s, sparse, c))
 		return 1;
 	return is_redundant(world, s, sparse, c, CNI_ILL_PIVOT);
 }
@@ -253,13 +253,13 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 		c->mass_ratio = mass_ratio(world, out, c);
 		c->uses_rattle = CNI_ON(RATTLE) && !c->has_contacts && cni_component_uses_rattle(world, s, out, c);
 		if (is_torn(world, out, c)) {
-			impulses_soften(world, s, out, c);
+			impulses_soften(world, out, c);
 			cni_component_release(world, out, c);
-		} else if (is_contradictory(world, s, out, c) || loop_is_better_soft(world, out, c)) {
-			impulses_soften(world, s, out, c);
+		} else if (is_contradictory(world, out, c) || loop_is_better_soft(world, s, out, c)) {
+			impulses_soften(world, out, c);
 			cni_component_suspend(world, out, c, CNI_TRUST_MOST);
 		} else if (is_ill_scaled(world, s, out, c)) {
-			impulses_soften(world, s, out, c);
+			impulses_soften(world, out, c);
 			cni_component_suspend(world, out, c, 0);
 		} else if (c->body_begin == c->body_end || is_better_alone(c))
 			cni_component_release(world, out, c);

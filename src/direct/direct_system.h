@@ -51,10 +51,8 @@ static inline void cni_trust_fail(cn_world *world, cni_joint_trust *t, int32_t s
 	int32_t lately = t->span > 0 && (int32_t)(world->step_count - t->until) < CNI_TRUST_MOST;
 	cni_trust_suspend(world, t, !CNI_ON(RETRY_DELAY) ? 1 : lately ? cni_min_i(2 * t->span, CNI_TRUST_MOST) : CNI_TRUST_LEAST, soft);
 }
-/* Part of an impulse between two bodies with which the soft solver may start: it gives the lighter one at most the speed of
-   CNI_SOFT_STRESS of its weights. With more the soft solver crushes the body from any start, and throws it when the impulses on both
-   sides of it do not cancel any more. */
-float cni_direct_soft_part(const cn_world *world, float impulse, int32_t ia, int32_t ib, float h);
+/* Part of an impulse between two bodies with which the soft solver may start: cni_soft_speed_most. */
+float cni_direct_soft_part(const cn_world *world, float impulse, int32_t ia, int32_t ib);
 /* Solves the right sides and applies the impulses; solutions of systems with loops are checked. 0: no acceptable solution; nothing is
    changed. */
 int32_t cni_direct_apply(cn_world *world, cni_sparse *sparse, cni_component *c);

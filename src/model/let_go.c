@@ -4,7 +4,7 @@
  *
  * The contacts of a pile that it pressed balance each other with impulses of thousands of weights. The next substep begins with them, and
  * without the body they throw the pile: parts that a kinematic body had pressed into the ground, at 360 m/s. So impulses of contacts in the
- * islands that the body touched, or was jointed to, are limited to CNI_SOFT_STRESS weights of the lighter body; so are those of islands that
+ * islands that the body touched, or was jointed to, are limited to what gives the lighter body cni_soft_speed_most; so are those of islands that
  * exact solutions gave up.
  *
  * Writes impulses of lanes.
@@ -28,15 +28,9 @@ static void lane_limit(const cn_world *world, int32_t slot, float speed_most)
 	cni_block_scale_impulses(cni_block_at(world, slot / CNI_LANES), slot % CNI_LANES, speed_most / speed);
 }
 
-/* Speed that CNI_SOFT_STRESS weights give in a substep. */
-static float speed_most_of(const cn_world *world)
-{
-	return CNI_SOFT_STRESS * cni_length(world->settings.gravity) * world->step_dt / (float)world->settings.substeps;
-}
-
 void cni_island_limit_impulses(cn_world *world, cni_island *island)
 {
-	float speed_most = speed_most_of(world);
+	float speed_most = cni_soft_speed_most(world);
 	int32_t body, key;
 	if (!island->awake || island->limited_step == world->step_count + 1)
 		return;
@@ -72,7 +66,7 @@ static float joint_speed(const cn_world *world, const cni_joint *j)
 /* Islands are looked at only where the body itself presses or pulls that hard: a brick of a wall does not. */
 void cni_body_let_go(cn_world *world, int32_t body)
 {
-	float speed_most = speed_most_of(world);
+	float speed_most = cni_soft_speed_most(world);
 	int32_t key;
 	cni_body_wake_neighbours(world, body);
 	for (key = cni_body_at(world, body)->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {

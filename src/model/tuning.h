@@ -183,13 +183,14 @@ CNI_TUNING_FLOAT(CNI_DIRECT_LEAK, 1e-5f)
 /* Length units. Joints that are open by more are soft, with those that are joined to them. With 0.12 ropes over pegs that were torn in an impact
    open by 13% more, as they are soft under their loads and stay open. */
 CNI_TUNING_FLOAT(CNI_JOINT_TORN, 0.25f)
-/* Length units. A loop, or an ill scaled tree, that was soft stays so while a joint is open by more, unless RATTLE closes it. */
-CNI_TUNING_FLOAT(CNI_LOOP_OPEN, 0.002f)
+/* Length units a second squared, times the square of a substep, as what soft joints leave open: 2 mm at 240 substeps a second. A loop, or an ill
+   scaled tree, that was soft stays so while a joint is open by more: of a straight bridge, closing many small gaps takes away all of its sag. */
+CNI_TUNING_FLOAT(CNI_LOOP_OPEN, 115.0f)
 /* Greatest mass over least of joined bodies from which a pivot is checked, and the part of its diagonal below which rounding has eaten it: rows of
    heavy and light bodies in turn are exact up to 1:1e5. Contacts of such bodies know no joints: what one does to the lightest is rounding. */
 CNI_TUNING_FLOAT(CNI_ILL_MASS_RATIO, 1e4f)
 CNI_TUNING_FLOAT(CNI_ILL_PIVOT, 2e-5f)
-/* Radians, or metres. A joint that is farther beyond a limit, under ten times CNI_SOFT_STRESS, is held there by others. */
+/* Radians, or metres. A joint that is farther beyond a limit, at ten times cni_soft_speed_most, is held there by others. */
 CNI_TUNING_FLOAT(CNI_LIMIT_FORCED, 0.01f)
 /* Changes of the active set of joint rows in a pass. */
 CNI_TUNING_COUNT(CNI_JOINT_SET_ROUNDS, 3)
@@ -248,9 +249,9 @@ CNI_TUNING_FLOAT(CNI_DIRECT_PARTING, 10.0f)
 CNI_TUNING_FLOAT(CNI_DIRECT_ENERGY_ROUNDING, 1e-3f)
 /* Length units a second, root mean square by mass. A slower island is at rest or begins to move. */
 CNI_TUNING_FLOAT(CNI_DIRECT_STILL_SPEED, 0.4f)
-/* Own weights of the lighter body, up to which warm start impulses of the soft solver are used. With 100, joints of a bridge under loads of
-   50 planks stretched by 0.36 m, with 300 by 0.26 m as with all of its tension. */
-CNI_TUNING_FLOAT(CNI_SOFT_STRESS, 300.0f)
+/* Seconds of fall, at CNI_STANDARD_GRAVITY or more. The soft solver begins with no impulse that gives the lighter body a greater speed: 300 weights at
+   240 substeps a second. With 100, joints of a bridge under loads of 50 planks stretched by 0.36 m, with 300 by 0.26 m as with all of its tension. */
+CNI_TUNING_FLOAT(CNI_SOFT_FALL_S, 1.25f)
 /* Rounds of the active set of contacts, until friction cones are solved, which take about twice as many factorizations. */
 CNI_TUNING_COUNT(CNI_CONTACT_SET_ROUNDS, 10)
 /* Rounds for systems that are too large for friction cones. */

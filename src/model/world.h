@@ -209,6 +209,13 @@ struct cn_world {
  * more with loads along true normals.
  */
 
+/* Greatest speed that an impulse gives the lighter of its two bodies when the soft solver begins with it. More would crush the body from any start, and
+   throw it when the impulses on both sides of it do not cancel any more. It is free of the substep: with few of them, loads are the larger. */
+static inline float cni_soft_speed_most(const cn_world *world)
+{
+	return CNI_SOFT_FALL_S * cni_max(cni_length(world->settings.gravity), CNI_STANDARD_GRAVITY * world->settings.length_unit);
+}
+
 /* Square of the largest difference of two normals; negative: normals do not lag. */
 static inline float cni_normal_lag_sq(const cn_world *world)
 {

@@ -21,7 +21,7 @@ static const arch_scene arch_scenes[ARCH_SCENES] = {
 	{ "shapes", scene_shapes, 0x4cbfae011f1d3379 },
 	{ "joints", scene_joints, 0x45cdb63a32b55480 },
 	{ "direct", scene_direct, 0xa7049e90560e8378 },
-	{ "tiers", scene_tiers, 0xd9d0447916522562 },
+	{ "tiers", scene_tiers, 0xaac243300a7097c8 },
 	{ "sequential", scene_sequential, 0x6bc77927e99d3264 },
 	{ "queries", scene_queries, 0xb60042162b4b3322 },
 	{ "events", scene_events, 0x76a43ce4d336a2c2 },
