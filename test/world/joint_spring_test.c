@@ -243,6 +243,41 @@ static double lattice_speed(int32_t size, float hertz, float damping, float dt, 
 	return most;
 }
 
+/* A cloth of 16 x 8 discs on springs hangs from its upper row. Returns the speed of the fastest between 8 and 10 s, with one substep of 1/60 s. */
+static double cloth_speed_at_last(float hertz, int32_t solver)
+{
+	enum { WIDTH = 16, HEIGHT = 8 };
+	cn_world *world = fixture_world(-10.0f, 0);
+	cn_body discs[WIDTH * HEIGHT];
+	double most = 0.0;
+	int32_t k;
+	must(cn_world_set_solver(world, solver), world, "cn_world_set_solver");
+	must(cn_world_set_substep_count(world, 1), world, "cn_world_set_substep_count");
+	for (k = 0; k < WIDTH * HEIGHT; ++k) {
+		discs[k] = fixture_circle(world, k < WIDTH ? CN_BODY_STATIC : CN_BODY_DYNAMIC, 0.5f * (float)(k % WIDTH), 10.0f - 0.5f * (float)(k / WIDTH), 0.1f, 0.6f, 0.0f);
+		if (k % WIDTH > 0 && k >= WIDTH)
+			spring_add(world, discs[k - 1], discs[k], 0.5f, hertz, 0.1f);
+		if (k >= WIDTH)
+			spring_add(world, discs[k - WIDTH], discs[k], 0.5f, hertz, 0.1f);
+	}
+	for (k = 0; k < 600; ++k) {
+		fixture_step(world, 1);
+		if (k > 480)
+			most = fmax(most, totals_of(world, discs + WIDTH, WIDTH * (HEIGHT - 1)).speed_most);
+	}
+	cn_world_destroy(world);
+	return most;
+}
+
+static void cloths_of_springs_come_to_rest(void)
+{
+	double most = 0.0;
+	int32_t k;
+	for (k = 0; k < 8; ++k)
+		most = fmax(most, cloth_speed_at_last(14.0f + 2.0f * (float)(k / 2), k & 1 ? CN_SOLVER_SOFT : CN_SOLVER_AUTO));
+	CHECK_LE("fastest disc of a hung cloth of springs after 8 s", most, 0.5, "m/s");
+}
+
 /* Waves of a lattice are several times as fast as the spring of one body; it falls at 6.3 m/s. */
 static void lattices_of_springs_gain_no_energy(void)
 {
@@ -268,5 +303,6 @@ int main(int argc, char **argv)
 	RUN(loaded_spring_sags_as_hooke_says);
 	RUN(stiff_springs_hold);
 	RUN(lattices_of_springs_gain_no_energy);
+	RUN(cloths_of_springs_come_to_rest);
 	return test_end();
 }
