@@ -8,7 +8,8 @@
  *   - when a contact overlaps by more than a tenth of it, or is new, and carries or may carry more than soft contacts can, or is
  *     between bodies that lean;
  *   - when the top-down sweep left some body unsupported.
- * One whose bodies have yet to meet waits: exact contacts let them fall until their gaps have closed, each step anew.
+ * One whose bodies have yet to meet waits: exact contacts let them fall until their gaps have closed, each step anew. So does one of thin
+ * bodies deep in each other: where other sides touch than those that should, no set holds.
  * It stays direct until it has been good for a while or, where bodies lean on each other, until it sleeps; its loads are then exact, and
  * the soft solver starts from them. The stay grows fourfold each time the island turns bad again. An island is barred for a time, longer
  * each time, when its system was refused for its work or its kind, when no solution was found, or when it falls.
@@ -130,23 +131,31 @@ static float overlap(const cni_contact_block *k, int32_t l)
 	return cni_max(k->p[0].nm[l] > 0.0f ? -k->p[0].s0[l] : -FLT_MAX, k->p[1].nm[l] > 0.0f ? -k->p[1].s0[l] : -FLT_MAX);
 }
 
-/* 1: its bodies have yet to meet: no contact bears anything, and many have a small gap (those of two dynamic bodies count
-   twice). */
+/*
+ * 1: its bodies have yet to meet: no contact bears anything, and many have a small gap (those of two dynamic bodies count twice). 2: they move
+ * on their way: many gaps exceed a slop, or overlaps a good part of thin bodies, which may be pushed out on either side.
+ */
 static int32_t island_is_meeting(const cn_world *world, const cni_island *i)
 {
-	int32_t body, key, gaps = 0;
-	for (body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
+	int32_t body, key, near = 0, far = 0;
+	float slop = world->settings.slop;
+	for (body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next) {
+		float most = cni_max(CNI_SELECTION_DEEP_PART * cni_body_at(world, body)->core, slop);
 		for (key = cni_body_at(world, body)->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
 			const cni_contact *c = cni_contact_of_key(world, key);
 			const cni_contact_block *k = cni_contact_has_lane(c) ? cni_block_at(world, c->slot / CNI_LANES) : NULL;
 			int32_t l = c->slot % CNI_LANES;
+			float deep;
 			if (k == NULL)
 				continue;
 			if (k->p[0].jn[l] + k->p[1].jn[l] > 0.0f)
 				return 0;
-			gaps += overlap(k, l) < -0.1f * world->settings.slop && overlap(k, l) > -world->settings.slop;
+			deep = overlap(k, l);
+			near += deep < -0.1f * slop && deep > -slop;
+			far += deep > most || (deep <= -slop && deep > -world->settings.contact_margin);
 		}
-	return 2 * gaps > i->count;
+	}
+	return 2 * far > i->count ? 2 : 2 * (near + far) > i->count;
 }
 
 /* 0: the island moves and may soon be another one. Most islands of a heap that is being poured live for some steps, and planning
@@ -168,6 +177,7 @@ static void motion_owes(const cn_world *world, cni_island *i)
 static void island_mark_bad(cn_world *world, int32_t island, int32_t reason)
 {
 	cni_island *i = cni_island_at(world, island);
+	int32_t meeting;
 	i->good_steps = 0;
 	if (i->tier == CNI_TIER_DIRECT && i->reason < reason)
 		i->reason = reason;
@@ -186,9 +196,11 @@ static void island_mark_bad(cn_world *world, int32_t island, int32_t reason)
 		i->reason = CN_TIER_REASON_JOINTED;
 	else if (cni_cone_debt(world, i) > CNI_CONE_DEBT)
 		i->reason = i->reason == CN_TIER_REASON_NO_SET ? CN_TIER_REASON_NO_SET : CN_TIER_REASON_MOVING; /* what it owes for */
-	else if (island_is_meeting(world, i)) {
+	else if ((meeting = island_is_meeting(world, i)) > 0) {
 		cni_island_refuse(world, island, CN_TIER_REASON_MOVING);
 		i->refused_steps = CNI_SELECTION_MEET_STEPS;
+		if (meeting > 1)
+			motion_owes(world, i);
 	}
 	else if (!island_has_waited(world, i))
 		i->reason = CN_TIER_REASON_MOVING;

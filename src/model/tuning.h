@@ -362,6 +362,9 @@ CNI_TUNING_COUNT(CNI_SELECTION_FALL_STEPS, 8)
 CNI_TUNING_COUNT(CNI_SELECTION_WAIT_STEPS, 8)
 /* Steps for which an island stays soft whose bodies have yet to meet: as long as houses of cards take to settle. */
 CNI_TUNING_COUNT(CNI_SELECTION_MEET_STEPS, 30)
+/* Part of a body's inner radius. A first overlap beyond it is deep: cards that overlap by a third of their thickness fall where it is 1, and
+   arches whose stones overlap by 12 mm fall where a slop suffices. */
+CNI_TUNING_FLOAT(CNI_SELECTION_DEEP_PART, 0.5f)
 /* Mass ratio from which a body may crush a lighter one below it. */
 CNI_TUNING_FLOAT(CNI_SELECTION_MASS_RATIO, 5.0f)
 

@@ -312,6 +312,60 @@ static void t_what_was_poured_spends_little(void)
 	CHECK_LE("steps with interior points, of 12 heaps", steps, 16, "");
 }
 
+/* Steps of the first 90, of 1/30 s, with interior points. */
+static int32_t cone_steps(cn_world *world)
+{
+	int32_t steps = 0, step;
+	for (step = 0; step < 90; ++step) {
+		must(cn_world_step(world, 1.0f / 30.0f), world, "cn_world_step");
+		steps += world->cone_work > 0;
+	}
+	cn_world_destroy(world);
+	return steps;
+}
+
+/* Courses of boxes that touch their neighbours, each to fall by this gap. */
+static cn_world *courses(int32_t base, float gap)
+{
+	cn_world *world = make_world(CN_SOLVER_AUTO, CN_DEFAULT, CN_DEFAULT);
+	uint32_t random = 2654435761u;
+	int32_t i, k;
+	fixture_floor(world, 0.6f, 0.0f);
+	for (i = 0; i < base; ++i)
+		for (k = i; k < base; ++k)
+			fixture_box(world, CN_BODY_DYNAMIC, (float)k - 0.5f * (float)i + fixture_random(&random, -1e-5f, 1e-5f), 0.5f + (float)i + gap * (float)(i + 1), 0.0f, 0.5f, 0.5f, 0.6f, 0.0f);
+	return world;
+}
+
+/* Boxes that overlap by 12 mm, one on the other, each moved sideways. */
+static cn_world *overlapping(float half_x, float half_y)
+{
+	cn_world *world = make_world(CN_SOLVER_AUTO, CN_DEFAULT, CN_DEFAULT);
+	int32_t k;
+	fixture_floor(world, 0.6f, 0.0f);
+	for (k = 0; k < 8; ++k)
+		fixture_box(world, CN_BODY_DYNAMIC, k % 2 == 0 ? 0.0f : 0.3f * half_x, half_y + (2.0f * half_y - 0.012f) * (float)k, 0.0f, half_x, half_y, 0.6f, 0.0f);
+	return world;
+}
+
+/* What is to fall by more than a slop moves on its way, as what thin bodies push apart does, though it is at rest at first. */
+static void t_what_is_far_from_rest_waits(void)
+{
+	cn_world *world;
+	int32_t base, steps = 0;
+	for (base = 3; base <= 7; ++base)
+		steps += cone_steps(courses(base, 0.01f));
+	CHECK_LE("steps with interior points, of 5 pyramids", steps, 0, "");
+	world = overlapping(0.4f, 0.016f);
+	fixture_step(world, 1);
+	CHECK(is(world, CN_TIER_SOFT, CN_TIER_REASON_MOVING));
+	cn_world_destroy(world);
+	world = overlapping(0.4f, 0.2f);
+	fixture_step(world, 1);
+	CHECK(is(world, CN_TIER_DIRECT, CN_TIER_REASON_OVERLAP));
+	cn_world_destroy(world);
+}
+
 /* Rounds in which only sliding impulses do not match keep their set, so heaps that came to rest in a bowl are refused less often. */
 static void t_sliding_impulses_converge_with_one_set(void)
 {
@@ -380,6 +434,7 @@ int main(int argc, char **argv)
 	RUN(t_small_bodies_are_crushed_sooner);
 	RUN(t_soft_prevails_in_any_order);
 	RUN(t_what_was_poured_spends_little);
+	RUN(t_what_is_far_from_rest_waits);
 	RUN(t_sliding_impulses_converge_with_one_set);
 	RUN(t_an_island_that_owes_too_much_has_no_interior_points);
 	return test_end();
