@@ -327,7 +327,7 @@ static void add_distance(scene *s, scene_joint *joint, double length, double her
 		def.base.flags |= CN_JOINT_SPRING;
 		def.spring_hertz = (float)hertz;
 		def.spring_damping_ratio = (float)damping;
-	} else {
+	} else if (joint->lower == joint->upper) {
 		def.base.flags &= ~(uint32_t)CN_JOINT_LIMIT;
 	}
 	keep_joint(s, joint, cn_joint_create_distance(s->world, &def, &joint->handle));
@@ -338,6 +338,14 @@ void add_rod(scene *s, int32_t a, int32_t b, double ax, double ay, double bx, do
 	scene_joint joint = begin_joint(s, CN_JOINT_DISTANCE, a, b, ax, ay, bx, by);
 	joint.lower = joint.upper = hypot(bx - ax, by - ay);
 	add_distance(s, &joint, joint.lower, 0.0, 0.0);
+}
+
+void add_rope(scene *s, int32_t a, int32_t b, double ax, double ay, double bx, double by, double slack)
+{
+	scene_joint joint = begin_joint(s, CN_JOINT_DISTANCE, a, b, ax, ay, bx, by);
+	joint.lower = 0.0;
+	joint.upper = hypot(bx - ax, by - ay) * (1.0 + slack);
+	add_distance(s, &joint, joint.upper, 0.0, 0.0);
 }
 
 void add_spring(scene *s, int32_t a, int32_t b, double ax, double ay, double bx, double by, double hertz, double damping, double give)

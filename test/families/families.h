@@ -126,6 +126,8 @@ void add_pin_limited(scene *s, int32_t a, int32_t b, double x, double y, double 
 void add_weld(scene *s, int32_t a, int32_t b, double x, double y);
 /* A rigid rod as long as the points are apart. */
 void add_rod(scene *s, int32_t a, int32_t b, double ax, double ay, double bx, double by);
+/* A rope that is longer than the points are apart by the share slack. */
+void add_rope(scene *s, int32_t a, int32_t b, double ax, double ay, double bx, double by, double slack);
 /* A spring with its present length at rest; it may stretch and shrink by the share give (0: any). */
 void add_spring(scene *s, int32_t a, int32_t b, double ax, double ay, double bx, double by, double hertz, double damping, double give);
 /* b slides along (axis_x, axis_y) in a; lower > upper: without limits. */
