@@ -23,6 +23,7 @@
 	X(HEAVY_CONTACTS)     /* contacts with light bodies that exact joints hold know these joints */ \
 	X(GEOMETRIC_STIFFNESS)/* geometric stiffness: damping of light links under tension */ \
 	X(ACTIVE_ROWS)        /* motors and limits in the system of their joints */ \
+	X(DIRECT_ROPES)       /* taut ropes in the systems of the joints around them */ \
 	X(SOFT_LOOPS)         /* loops of pins and rods that touch something are soft */ \
 	X(RETRY_DELAY)        /* delayed retry after a failed direct solution */ \
 	X(GRAVITY_PRELOAD)    /* gravity preload of new piles, top-down */ \

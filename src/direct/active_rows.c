@@ -11,7 +11,7 @@
  * passes take one round.
  *
  * A joint has one such row: its limit when the limit is near, otherwise its motor. The other row is solved by joints/joint_solve.c, like
- * springs.
+ * springs. A rope, which is a distance joint with limits alone, has this row and no other. It is planned while it may become taut.
  *
  * Reads joint constraints, motion; writes their rows and `active_row`, nodes' third rows, motion velocities.
  */
@@ -41,12 +41,17 @@ static float impulse_most(const cni_row *r, const cni_solve *s)
 	return r->kind == CNI_ROW_MOTOR ? r->limit * s->h : FLT_MAX;
 }
 
+static float missing_speed(const cn_world *world, const cni_node *n, const cni_row *r)
+{
+	return n->target - cni_row_speed(r, cni_motions(world) + n->ia, cni_motions(world) + n->ib);
+}
+
 /* ---- which rows ---- */
 
-/* Index of the chosen row in the joint constraint, 0: none. */
+/* Index of the chosen row in the joint constraint. */
 static int32_t row_choose(const cni_joint_constraint *w, const cni_motion *motions, float dt)
 {
-	int32_t k, chosen = 0;
+	int32_t k, chosen = CNI_NONE;
 	for (k = w->rigid_count; k < w->row_count; ++k) {
 		if (w->rows[k].kind == CNI_ROW_MOTOR && w->rows[k].limit > 0.0f)
 			chosen = k;
@@ -73,8 +78,8 @@ int32_t cni_active_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
 		cni_joint_constraint *w = n->owner >= 0 ? &cni_joint_constraints(world)[n->owner] : NULL;
-		int32_t row = w == NULL || n->rows == CNI_NODE_ROWS ? 0 : row_choose(w, cni_motions(world), s->dt);
-		if (row == 0)
+		int32_t row = w == NULL || n->rows == CNI_NODE_ROWS ? CNI_NONE : row_choose(w, cni_motions(world), s->dt);
+		if (row == CNI_NONE)
 			continue;
 		w->active_row = row;
 		n->active = state_begin(&w->rows[row], s);
@@ -107,9 +112,46 @@ void cni_active_levers(const cn_world *world, cni_sparse *sparse, const cni_comp
 	}
 }
 
+/* Greatest sum of the speeds at which ropes that are too long become shorter. A row of them lifts the load at its end at that sum, and what pulls
+   a heavy load at many times its weight throws the light bodies between them aside. Where contacts pull them, they must not open. */
+static float closing_most(const cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c)
+{
+	float push = world->settings.push_speed_max, fastest_sq = 0.0f, most;
+	int32_t k;
+	for (k = c->body_begin; k < c->body_end; ++k) {
+		const cni_motion *m = cni_motions(world) + sparse->bodies[k];
+		if (cni_externals(world)[sparse->bodies[k]].flags & CNI_EXTERNAL_TOUCHED)
+			return push;
+		fastest_sq = cni_max(fastest_sq, cni_sq(m->vx) + cni_sq(m->vy));
+	}
+	most = cni_max(CNI_ROPE_CLOSING_PART * cni_sqrt(fastest_sq), CNI_ROPE_CLOSING_WEIGHTS * s->h * cni_length(world->settings.gravity));
+	return cni_min(push, cni_max(CNI_ROPE_CLOSING_LEAST * world->settings.length_unit, most));
+}
+
+/* Gives ropes the part of their closing speeds that they may have, and in loops the leak of rows (direct/component.c). */
+static void ropes_slow(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c)
+{
+	float sum = 0.0f, most = closing_most(world, s, sparse, c);
+	int32_t k;
+	for (k = c->active_first; k != CNI_NONE; k = sparse->nodes[k].next_active)
+		if (sparse->nodes[k].rows == 0)
+			sum += cni_max(sparse->nodes[k].target, 0.0f);
+	for (k = c->active_first; k != CNI_NONE; k = sparse->nodes[k].next_active) {
+		cni_node *n = &sparse->nodes[k];
+		const cni_row *r = active_row(world, n);
+		if (n->rows > 0)
+			continue;
+		if (sum > most && n->target > 0.0f)
+			n->target *= most / sum;
+		if (c->loops)
+			n->target -= CNI_DIRECT_LEAK * n->diagonal[2] * r->impulse;
+		if (n->active & CNI_ROW_IN_SET)
+			n->x[2] = missing_speed(world, n, r);
+	}
+}
+
 void cni_active_right_sides(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c, int32_t bias)
 {
-	const cni_motion *motions = cni_motions(world);
 	const cni_push_speeds push = cni_push_speeds_of(world);
 	int32_t k;
 	for (k = c->active_first; k != CNI_NONE; k = sparse->nodes[k].next_active) {
@@ -117,8 +159,20 @@ void cni_active_right_sides(const cn_world *world, const cni_solve *s, cni_spars
 		const cni_row *r = active_row(world, n);
 		n->target = target_speed(r, s, &push, bias);
 		if (n->active & CNI_ROW_IN_SET)
-			n->x[2] = n->target - cni_row_speed(r, motions + n->ia, motions + n->ib);
+			n->x[2] = missing_speed(world, n, r);
 	}
+	if (bias && c->has_ropes)
+		ropes_slow(world, s, sparse, c);
+}
+
+float cni_active_rope_missing(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	float most = 0.0f;
+	int32_t k;
+	for (k = c->active_first; k != CNI_NONE; k = sparse->nodes[k].next_active)
+		if (sparse->nodes[k].rows == 0)
+			most = cni_max(most, missing_speed(world, &sparse->nodes[k], active_row(world, &sparse->nodes[k])));
+	return most;
 }
 
 /* ---- the set ---- */
@@ -137,7 +191,6 @@ static void row_set_impulse(const cn_world *world, const cni_node *n, cni_row *r
 
 int32_t cni_active_change(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c)
 {
-	const cni_motion *motions = cni_motions(world);
 	int32_t k, changed = 0;
 	for (k = c->active_first; k != CNI_NONE; k = sparse->nodes[k].next_active) {
 		cni_node *n = &sparse->nodes[k];
@@ -149,7 +202,7 @@ int32_t cni_active_change(const cn_world *world, const cni_solve *s, cni_sparse 
 			n->active = r->impulse > most ? CNI_ROW_AT_UPPER : 0u;
 			row_set_impulse(world, n, r, cni_clamp(r->impulse, least, most));
 		} else {
-			float missing = n->target - cni_row_speed(r, motions + n->ia, motions + n->ib);
+			float missing = missing_speed(world, n, r);
 			if (n->active & CNI_ROW_AT_UPPER ? missing >= 0.0f : missing <= 0.0f)
 				continue;
 			n->active = CNI_ROW_IN_SET;

@@ -53,7 +53,7 @@ void cni_component_release(cn_world *world, cni_sparse *sparse, cni_component *c
 	for (k = c->begin; k < c->end; ++k)
 		if (sparse->nodes[k].owner >= 0) {
 			cni_joint_constraints(world)[sparse->nodes[k].owner].flags &= ~(uint32_t)CNI_CONSTRAINT_DIRECT;
-			cni_joint_constraints(world)[sparse->nodes[k].owner].active_row = 0;
+			cni_joint_constraints(world)[sparse->nodes[k].owner].active_row = CNI_NONE;
 		}
 	c->uses_rattle = 0;
 	c->done = 1;

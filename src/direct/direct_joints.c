@@ -52,12 +52,12 @@ static int32_t may_be_straight(const cn_world *world, const cni_sparse *sparse, 
 	return 1;
 }
 
-/* How far the two points of a pin, or the ends of a rod, are from where they belong. */
+/* How far the two points of a pin, or the ends of a rod or a rope, are from where they belong. */
 static float gap_of(const cni_joint_constraint *w)
 {
 	switch (w->record->type) {
 	case CN_JOINT_REVOLUTE: case CN_JOINT_FIXED: return cni_length(w->start.d);
-	case CN_JOINT_DISTANCE: return w->record->flags & (CN_JOINT_SPRING | CN_JOINT_LIMIT) ? 0.0f : cni_abs(cni_length(w->start.d) - w->record->p[CNI_P_LENGTH]);
+	case CN_JOINT_DISTANCE: return cni_joint_is_rope(w->record) ? cni_max(cni_length(w->start.d) - w->record->p[CNI_P_UPPER], 0.0f) : cni_abs(cni_length(w->start.d) - w->record->p[CNI_P_LENGTH]);
 	default: return 0.0f;
 	}
 }
@@ -131,7 +131,7 @@ static void impulses_soften(cn_world *world, const cni_sparse *sparse, const cni
 	for (k = c->begin; k < c->end; ++k) {
 		const cni_joint_constraint *w = cni_joint_constraints(world) + sparse->nodes[k].owner;
 		float sum = 0.0f;
-		for (i = 0; i < sparse->nodes[k].rows; ++i)
+		for (i = 0; i < (sparse->nodes[k].rows > 0 ? sparse->nodes[k].rows : CNI_JOINT_ROWS); ++i) /* a rope has one impulse */
 			sum += cni_abs(w->record->impulse[i]);
 		part = cni_min(part, cni_direct_soft_part(world, sum, w->ia, w->ib));
 	}
@@ -153,6 +153,26 @@ static void impulses_soften(cn_world *world, const cni_sparse *sparse, const cni
 static int32_t is_torn(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
 	return !c->has_contacts && widest_gap(world, sparse, c) > CNI_JOINT_TORN * world->settings.length_unit;
+}
+
+/* A net of ropes that are too long: exact ones would lift its load by all that they are, and let other parts of the net go slack. */
+static int32_t is_stretched_net(const cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c)
+{
+	return c->has_ropes && c->loops && !c->has_contacts && is_open(world, s, sparse, c);
+}
+
+/* Soft ropes keep their impulses, but for those that were solved directly in the last step. */
+static void net_release(cn_world *world, cni_sparse *sparse, cni_component *c)
+{
+	int32_t k, direct = 0;
+	for (k = c->begin; k < c->end; ++k) {
+		cni_joint_trust *t = &cni_joint_at(world, cni_joint_constraints(world)[sparse->nodes[k].owner].joint)->trust;
+		direct |= t->direct;
+		t->direct = 0;
+	}
+	if (direct)
+		impulses_soften(world, sparse, c);
+	cni_component_release(world, sparse, c);
 }
 
 /* Is the joint beyond a limit under thousands of weights? */
@@ -252,7 +272,9 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 		c->regular = c->has_contacts ? CNI_REGULARIZATION_CONTACTS : c->loops ? CNI_REGULARIZATION_LOOPS : 0.0f;
 		c->mass_ratio = mass_ratio(world, out, c);
 		c->uses_rattle = CNI_ON(RATTLE) && !c->has_contacts && cni_component_uses_rattle(world, s, out, c);
-		if (is_torn(world, out, c)) {
+		if (is_stretched_net(world, s, out, c)) {
+			net_release(world, out, c);
+		} else if (is_torn(world, out, c)) {
 			impulses_soften(world, out, c);
 			cni_component_release(world, out, c);
 		} else if (is_contradictory(world, out, c) || loop_is_better_soft(world, s, out, c)) {

@@ -1,9 +1,9 @@
 /*
  * direct/direct_plan.c - plans the direct solver's components of a step as links of linear/sparse.h, and bounds its scratch memory.
  *
- * Joints with rigid rows that nothing bounds or softens are nodes; those that share bodies form components. CN_SOLVER_AUTO takes trees and
- * components with few loops, whose factorization costs about as much as a pass over their joints; large nets stay soft. CN_SOLVER_DIRECT
- * takes all. Contacts are those of the islands that direct/solver_selection.c chose.
+ * Joints with rigid rows that nothing bounds or softens are nodes, and so are taut ropes; those that share bodies form components.
+ * CN_SOLVER_AUTO takes trees and components with few loops, whose factorization costs about as much as a pass over their joints; large nets
+ * stay soft. CN_SOLVER_DIRECT takes all. Contacts are those of the islands that direct/solver_selection.c chose.
  *
  * Links beyond the limits of work are not planned: such joints are soft, and an island with unplanned contacts is refused; the rest is
  * planned once more without it.
@@ -99,7 +99,7 @@ static int32_t constraint_is_eligible(const cn_world *world, const cni_joint_con
 {
 	if (!CNI_ON(DIRECT_JOINTS) || joint_stays_soft(world, w))
 		return 0;
-	return w->rigid_count > 0 && !is_left_soft(world, w) && !(w->flags & (CNI_CONSTRAINT_SPRINGY | CNI_CONSTRAINT_BOUNDED)) &&
+	return (w->rigid_count > 0 || (w->flags & CNI_CONSTRAINT_TAUT)) && !is_left_soft(world, w) && !(w->flags & (CNI_CONSTRAINT_SPRINGY | CNI_CONSTRAINT_BOUNDED)) &&
 	       !(w->ia != 0 && body_is_locked(world, w->ia)) && !(w->ib != 0 && body_is_locked(world, w->ib));
 }
 

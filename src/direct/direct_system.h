@@ -92,6 +92,8 @@ void cni_active_clear(cni_sparse *sparse, const cni_component *c);
 void cni_active_levers(const cn_world *world, cni_sparse *sparse, const cni_component *c);
 /* Their right sides, after those of the rigid rows. */
 void cni_active_right_sides(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c, int32_t bias);
+/* After that: the most that the speed of a rope lacks of its target. */
+float cni_active_rope_missing(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
 /* Rows beyond their bound leave the set, others return. Returns 1 when the set has changed. */
 int32_t cni_active_change(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c);
 /* Adds the solution to the impulses of the rows in the set. */

@@ -53,7 +53,7 @@ void cni_geometric_stiffness_find(const cn_world *world, cni_sparse *sparse, con
 		if (sparse->nodes[k].owner < 0)
 			continue; /* a contact */
 		w = &cni_joint_constraints(world)[sparse->nodes[k].owner];
-		for (i = 0; i < w->rigid_count; ++i) {
+		for (i = 0; i < (w->rigid_count > 0 ? w->rigid_count : w->row_count); ++i) { /* a rope has its limit alone */
 			const cni_row *r = &w->rows[i];
 			fa = cni_madd(fa, r->impulse * inv_h, cni_v(r->ax, r->ay));
 			fb = cni_madd(fb, r->impulse * inv_h, cni_v(r->bx, r->by));
@@ -70,10 +70,10 @@ float cni_geometric_stiffness_rods(const cn_world *world, cni_sparse *sparse, co
 	pulls_clear(sparse, c);
 	for (k = c->begin; k < c->end; ++k) {
 		const cni_joint_constraint *w = &cni_joint_constraints(world)[sparse->nodes[k].owner];
-		float stiffness;
-		if (w->record->type != CN_JOINT_DISTANCE || w->record->p[CNI_P_LENGTH] <= 0.0f)
+		float stiffness, length = w->record->p[cni_joint_is_rope(w->record) ? CNI_P_UPPER : CNI_P_LENGTH];
+		if (w->record->type != CN_JOINT_DISTANCE || length <= 0.0f)
 			continue;
-		stiffness = cni_abs(w->rows[0].impulse) * inv_h / w->record->p[CNI_P_LENGTH];
+		stiffness = cni_abs(w->rows[0].impulse) * inv_h / length;
 		sparse->pull[w->ia] += stiffness;
 		sparse->pull[w->ib] += stiffness;
 	}
@@ -139,7 +139,7 @@ int32_t cni_geometric_stiffness_lock(const cn_world *world, const cni_sparse *sp
 	int32_t k, found = 0;
 	for (k = c->begin; k < c->end && CNI_ON(GEOMETRIC_STIFFNESS); ++k) {
 		cni_node *n = &sparse->nodes[k];
-		if (n->rows != 2 || cni_joint_constraints(world)[n->owner].active_row > 0 || !both_move(world, n) ||
+		if (n->rows != 2 || cni_joint_constraints(world)[n->owner].active_row != CNI_NONE || !both_move(world, n) ||
 		    (cni_abs(motions[n->ia].w) <= most && cni_abs(motions[n->ib].w) <= most) || cni_abs(motions[n->ib].w - motions[n->ia].w) <= 0.5f * most)
 			continue;
 		c->width = CNI_NODE_ROWS;

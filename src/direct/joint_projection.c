@@ -56,7 +56,7 @@ static int32_t is_opening(const cn_world *world, const cni_solve *s, const cni_c
 		for (i = 0; i < s->direct->nodes[k].rows; ++i)
 			if (cni_abs(s->direct->nodes[k].x[i]) > most)
 				return 1;
-	return 0;
+	return c->has_ropes && c->active && cni_active_rope_missing(world, s->direct, c) > most;
 }
 
 /* Second-order drift of a point at r when its body turns by this angle: its deviation from the tangent, with the bits of the batches

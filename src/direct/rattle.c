@@ -27,6 +27,8 @@
  *
  * The number of substeps follows the geometric stiffness up to a limit; dampers do the rest: direct/geometric_stiffness.c.
  *
+ * A taut rope is a rod until it pushes. A loose one becomes taut before the substep that would make it too long.
+ *
  * Loops with redundant joints are not for RATTLE: rattle_begin in direct/direct_joints.c.
  *
  * Reads joint constraints, externals, motion; writes motion, start, rows and flags of joint constraints, flags of externals.
@@ -40,14 +42,14 @@
 
 /* ---- which components ---- */
 
-/* 1: no row but the rigid ones can act in this step. */
+/* 1: no row but the rigid ones, or that of a rope, can act in this step. */
 static int32_t constraint_is_rigid(const cni_joint_constraint *w, const cni_motion *motions, float dt)
 {
 	const cni_motion *a = motions + w->ia, *b = motions + w->ib;
 	int32_t k;
 	for (k = w->rigid_count; k < w->row_count; ++k) {
 		if (w->rows[k].kind != CNI_ROW_LIMIT || cni_limit_is_near(&w->rows[k], a, b, dt))
-			return 0;
+			return cni_joint_is_rope(w->record);
 	}
 	return 1;
 }
@@ -152,10 +154,10 @@ static void drift(rattle_step *g)
 	}
 }
 
-/* Remainder of an old gap after the substep. */
-static float gap_left(const rattle_step *g, float error)
+/* Remainder of an old gap after the substep. A taut rope has no room. */
+static float gap_left(const rattle_step *g, const cni_joint_constraint *w, float error)
 {
-	if (cni_abs(error) <= CNI_RATTLE_OLD_GAP * g->closed)
+	if (cni_abs(error) <= CNI_RATTLE_OLD_GAP * g->closed || (error > 0.0f && cni_joint_is_rope(w->record)))
 		return 0.0f;
 	return (1.0f - CNI_RATTLE_CLOSING_RATE) * error;
 }
@@ -215,7 +217,7 @@ static void gaps_left_find(const rattle_step *g)
 	int32_t k, i;
 	for (k = g->c->begin; k < g->c->end; ++k)
 		for (i = 0; i < g->sparse->nodes[k].rows; ++i)
-			g->sparse->nodes[k].carried[i] = gap_left(g, constraint_of(g, k)->rows[i].error);
+			g->sparse->nodes[k].carried[i] = gap_left(g, constraint_of(g, k), constraint_of(g, k)->rows[i].error);
 }
 
 static void push(const rattle_step *g, cni_node *n)
@@ -310,6 +312,48 @@ static int32_t substep(rattle_step *g)
 	return velocities_close(g) ? closed : BROKEN;
 }
 
+/* ---- ropes ---- */
+
+static float rope_speed(const rattle_step *g, const cni_joint_constraint *w)
+{
+	return cni_row_speed(&w->rows[0], g->motions + w->ia, g->motions + w->ib);
+}
+
+/* A loose rope that would be too long after the next substep. */
+static int32_t becomes_taut(const rattle_step *g, const cni_joint_constraint *w)
+{
+	return w->rows[0].error + g->h * rope_speed(g, w) < 0.0f;
+}
+
+/* Ropes without room whose ends do not approach each other are taut: rods until they push. */
+static void ropes_begin(const rattle_step *g)
+{
+	float room = CNI_RATTLE_OLD_GAP * g->closed;
+	int32_t k;
+	for (k = g->c->begin; k < g->c->end && g->c->has_ropes; ++k) {
+		const cni_joint_constraint *w = constraint_of(g, k);
+		if (cni_joint_is_rope(w->record))
+			g->sparse->nodes[k].rows = becomes_taut(g, w) || (w->rows[0].error <= room && g->h * rope_speed(g, w) <= room);
+	}
+}
+
+/* After a substep: ropes that push become loose, those that are too long become taut. Returns 1 if there are any. */
+static int32_t ropes_switch(const rattle_step *g)
+{
+	int32_t k, changed = 0;
+	for (k = g->c->begin; k < g->c->end && g->c->has_ropes; ++k) {
+		cni_node *n = &g->sparse->nodes[k];
+		const cni_joint_constraint *w = constraint_of(g, k);
+		if (!cni_joint_is_rope(w->record) || (n->rows > 0 ? n->total[0] >= 0.0f : !becomes_taut(g, w)))
+			continue;
+		n->rows = !n->rows;
+		n->total[0] = 0.0f;
+		cni_levers_clear(&n->levers, 0);
+		changed = 1;
+	}
+	return changed;
+}
+
 /* ---- one substep of the projection ---- */
 
 /* Moves by a part of the solution that `closing` holds. Returns the largest gap then. */
@@ -394,7 +438,7 @@ static void step_finish(const rattle_step *g, const cni_solve *s)
 	for (k = g->c->begin; k < g->c->end; ++k) {
 		cni_joint_constraint *w = constraint_of(g, k);
 		impulses_store(g, k, scale);
-		for (i = w->rigid_count; i < w->row_count; ++i)
+		for (i = g->sparse->nodes[k].rows; i < w->row_count; ++i)
 			w->rows[i].impulse = 0.0f;
 		w->flags |= CNI_CONSTRAINT_FINISHED;
 	}
@@ -405,7 +449,7 @@ static void constraints_stress(const rattle_step *g)
 	int32_t k;
 	for (k = g->c->begin; k < g->c->end; ++k) {
 		cni_joint_constraint *w = constraint_of(g, k);
-		if (w->flags & CNI_CONSTRAINT_BREAKABLE) {
+		if ((w->flags & CNI_CONSTRAINT_BREAKABLE) && g->sparse->nodes[k].rows > 0) {
 			impulses_store(g, k, 1.0f);
 			cni_joint_constraint_stress(w, g->motions + w->ib, 1.0f / g->h);
 		}
@@ -416,9 +460,10 @@ static void constraints_stress(const rattle_step *g)
 static void impulses_reset(const rattle_step *g, float scale)
 {
 	int32_t k, i;
+	ropes_begin(g);
 	for (k = g->c->begin; k < g->c->end; ++k) {
 		cni_joint_constraint *w = constraint_of(g, k);
-		for (i = 0; i < w->rigid_count; ++i)
+		for (i = 0; i < g->sparse->nodes[k].rows; ++i)
 			w->rows[i].impulse = g->sparse->nodes[k].total[i] = scale * w->record->impulse[w->rows[i].slot];
 		if (w->flags & CNI_CONSTRAINT_BREAKABLE)
 			w->numbers->force_stress = w->numbers->torque_stress = 0.0f;
@@ -488,6 +533,8 @@ static int32_t substeps_run(rattle_step *g, const cni_solve *s, int32_t substeps
 		constraints_stress(g);
 		if (g->held)
 			g->base_work += cni_rattle_base_work(g);
+		if (ropes_switch(g) && k < substeps - 1)
+			cni_direct_refresh(g->world, g->sparse, g->c);
 	}
 	g->energy_error = cni_rattle_energy_error(g, s);
 	return 1;

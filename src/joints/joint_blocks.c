@@ -262,7 +262,7 @@ static int32_t lane_fill_again(cn_world *world, const cni_solve *s, struct cni_l
 		block->spring_j[l] = block->motor_j[l] = block->limit_j[l] = 0.0f;
 	cni_joint_lane_fill(world, s, &setup->spring, k, block, l);
 	setup->special |= is_locked(world, w->record->body[0]) || is_locked(world, w->record->body[1]) ||
-	                  (w->flags & CNI_CONSTRAINT_FRESH) != 0;
+	                  (w->flags & (CNI_CONSTRAINT_FRESH | CNI_CONSTRAINT_TAUT)) != 0;
 	++setup->filled;
 	return 1;
 }
@@ -335,8 +335,12 @@ int32_t cni_joint_constraint_widen(cn_world *world, const cni_solve *s, struct c
 	w->parts = parts_of(j);
 	w->row_count = 0;
 	w->rigid_count = (w->form == CNI_FORM_PIN ? 2 : 0) + ((w->parts & CNI_PART_HELD) != 0);
-	if (w->form == CNI_FORM_PIN && (w->parts & (CN_JOINT_SPRING | CN_JOINT_LIMIT)))
-		w->start.angle = cni_joint_frame_angle(world, j);
+	if (w->parts & (CN_JOINT_SPRING | CN_JOINT_LIMIT)) {
+		if (w->form == CNI_FORM_PIN)
+			w->start.angle = cni_joint_frame_angle(world, j);
+		else
+			cni_joint_rope_mark(world, w, s->dt);
+	}
 	setup->kept = setup->kept && lane_fill_again(world, s, setup, k);
 	return 1;
 }

@@ -14,6 +14,7 @@
  */
 #include "joints/joint_constraint.h"
 #include "joints/joint_row.h"
+#include "model/tuning.h"
 
 /* ---- masses ---- */
 
@@ -245,7 +246,7 @@ void cni_joint_constraint_begin(cn_world *world, int32_t k, const cni_joint *j)
 	w->joint = ((const int32_t *)world->awake_joints.data)[k];
 	w->lane = CNI_NONE;
 	w->form = CNI_FORM_NONE;
-	w->active_row = 0;
+	w->active_row = CNI_NONE;
 	w->ia = j->body[0] == CNI_NONE ? 0 : cni_body_at(world, j->body[0])->awake;
 	w->ib = j->body[1] == CNI_NONE ? 0 : cni_body_at(world, j->body[1])->awake;
 	w->flags = constraint_flags(j);
@@ -279,11 +280,28 @@ void cni_joint_rows_need(cn_world *world, const cni_solve *s, cni_joint_constrai
 		rows_begin(world, s, w);
 }
 
+/* Not where both limits are near: the row that acts may be either. */
+void cni_joint_rope_mark(const cn_world *world, cni_joint_constraint *w, float dt)
+{
+	const cni_joint *j = w->record;
+	const cni_motion *a = cni_motions(world) + w->ia, *b = cni_motions(world) + w->ib;
+	float length, speed, near;
+	cni_vec2 axis;
+	if (!CNI_ON(DIRECT_ROPES) || !cni_joint_is_rope(j))
+		return;
+	axis = cni_distance_axis(w->start.d, &length);
+	speed = cni_dot(axis, cni_v(b->vx - a->vx, b->vy - a->vy)) + b->w * cni_cross(w->start.rb, axis) - a->w * cni_cross(w->start.ra, axis);
+	near = CNI_LIMIT_ROOM + 2.0f * dt * cni_abs(speed);
+	if (j->p[CNI_P_UPPER] - length < near && length - j->p[CNI_P_LOWER] > near)
+		w->flags |= CNI_CONSTRAINT_TAUT;
+}
+
 void cni_joint_constraint_prepare(cn_world *world, const cni_solve *s, int32_t k)
 {
 	cni_joint_constraint *w = cni_joint_constraints(world) + k;
 	cni_joint_constraint_begin(world, k, cni_joint_at(world, ((const int32_t *)world->awake_joints.data)[k]));
 	w->start.angle = cni_joint_frame_angle(world, w->record);
+	cni_joint_rope_mark(world, w, s->dt);
 	rows_begin(world, s, w);
 }
 

@@ -17,7 +17,8 @@ enum {
 	CNI_CONSTRAINT_DIRECT = 1u << 5,    /* its rigid rows are solved with its neighbours': direct/direct_joints.c */
 	CNI_CONSTRAINT_FINISHED = 1u << 6,     /* its whole step is done: direct/rattle.c */
 	CNI_CONSTRAINT_FRESH = 1u << 7,     /* this is its first step */
-	CNI_CONSTRAINT_BATCHED = 1u << 8       /* in a lane of a batch, with its pin: direct/batched_trees.c */
+	CNI_CONSTRAINT_BATCHED = 1u << 8,      /* in a lane of a batch, with its pin: direct/batched_trees.c */
+	CNI_CONSTRAINT_TAUT = 1u << 9          /* a rope whose limit may be solved with its neighbours' rows: direct/active_rows.c */
 };
 
 /* Forms of lanes: joints/joint_pass.h. */
@@ -48,7 +49,7 @@ typedef struct cni_joint_constraint {
 	int32_t row_count;
 	int32_t rigid_count;       /* the first rows: rigid or drive */
 	int32_t next_plain;        /* the next joint constraint that is solved by rows */
-	int32_t active_row;        /* index of the motor or limit row that is solved with the rigid rows: direct/active_rows.c; 0: none */
+	int32_t active_row;        /* index of the motor or limit row that is solved with the rigid rows: direct/active_rows.c; CNI_NONE: none */
 	int32_t lane;              /* block * CNI_LANES + lane, CNI_NONE: solved by rows */
 	int32_t form;              /* CNI_FORM_*; with one, rows are built only if it is solved directly or gets no lane */
 	cni_joint_frame start;     /* at the beginning of the step */
@@ -68,6 +69,13 @@ static inline cni_joint_numbers *cni_joint_numbers_of(const cn_world *world, int
 {
 	return (cni_joint_numbers *)(void *)(cni_joint_constraints(world) + world->joint_work.capacity) + k;
 }
+/* 1: a rope, a distance joint with limits alone. */
+static inline int32_t cni_joint_is_rope(const cni_joint *j)
+{
+	return j->type == CN_JOINT_DISTANCE && (j->flags & (CN_JOINT_SPRING | CN_JOINT_MOTOR | CN_JOINT_LIMIT)) == CN_JOINT_LIMIT;
+}
+/* Flags a rope that may become taut within this time. */
+void cni_joint_rope_mark(const cn_world *world, cni_joint_constraint *w, float dt);
 /* 1: there are so many that records leave the caches between two loops over all. Prefetching then pays. */
 static inline int32_t cni_joints_are_far(const cn_world *world)
 {

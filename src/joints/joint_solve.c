@@ -193,7 +193,7 @@ static void solve_constraint(cni_joint_constraint *w, cni_motion *motions, const
 	int32_t k;
 	for (k = w->rigid_count; k < w->row_count; ++k) {
 		cni_row *r = &w->rows[k];
-		if (w->active_row > 0 && k == w->active_row)
+		if (k == w->active_row)
 			continue;
 		if (r->kind == CNI_ROW_MOTOR)
 			solve_motor(r, w->numbers->single_mass[k], a, b, s, bias);

@@ -30,7 +30,7 @@
 typedef struct cni_node {
 	int32_t ia, ib;                    /* dense indices of its bodies, 0: static or the world */
 	int32_t owner;                     /* set by the caller; below 0: no joint */
-	int32_t rows;                      /* 1 to 3 */
+	int32_t rows;                      /* 1 to 3; a rope has none but a third one: direct/active_rows.c */
 	uint32_t active;                   /* of a contact: bits of the rows whose levers are set; of a joint: direct/active_rows.c */
 	cni_levers levers;
 	float compliance[CNI_NODE_ROWS];   /* added to the diagonal */
@@ -66,7 +66,8 @@ typedef struct cni_component {
 	int32_t body_begin, body_end;  /* in bodies */
 	int32_t work;                  /* blocks formed or multiplied in one factorization */
 	int32_t loops;                 /* 1: more nodes than a tree on these bodies has */
-	int32_t tree;                  /* 1: the graph of moving bodies and nodes has no cycle */
+	int16_t tree;                  /* 1: the graph of moving bodies and nodes has no cycle */
+	int16_t has_ropes;             /* 1: some nodes have no rows of their own */
 	int32_t width;                 /* 2 or 3: rows per node in the solution */
 	float mass_ratio;              /* greatest mass of a body over least */
 	float regular;                 /* regularization: this fraction of the diagonal is added to it */

@@ -143,7 +143,7 @@ static void component_plan(cni_planner *p)
 	c->body_end = s->body_count += p->body_count;
 	s->block_count += tree ? p->pairs : 0;
 	c->work = (int32_t)p->work;
-	c->tree = tree;
+	c->tree = (int16_t)tree;
 	c->loops = !tree || p->member_count > p->body_count;
 	c->width = 2;
 	p->budget -= p->work;
@@ -153,6 +153,8 @@ static void component_plan(cni_planner *p)
 		s->block_count += tree ? 0 : p->list_count[node];
 		c->width = cni_max_i(c->width, p->system->links[node].rows);
 		c->joints += p->system->links[node].owner >= 0;
+		if (p->system->links[node].rows == 0)
+			c->has_ropes = 1;
 	}
 	++s->component_count;
 }
