@@ -25,7 +25,7 @@ static const arch_scene arch_scenes[ARCH_SCENES] = {
 	{ "sequential", scene_sequential, 0x6bc77927e99d3264 },
 	{ "queries", scene_queries, 0xb60042162b4b3322 },
 	{ "events", scene_events, 0x76a43ce4d336a2c2 },
-	{ "file", scene_file, 0x890fc0c709e83de8 },
+	{ "file", scene_file, 0x54bc850b4401dac6 },
 };
 
 /* The number of a scene; 0 if a call failed: arch_failed_line. */
