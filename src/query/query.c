@@ -20,10 +20,9 @@ void cn_query_filter_init(cn_query_filter *filter)
 cni_sight cni_check_filter(cni_call *call, const cn_query_filter *filter)
 {
 	cni_sight s;
+	memset(&s, 0, sizeof s);
 	s.world = call->world;
 	s.ignored = CNI_NONE;
-	s.without = 0;
-	s.touch = 0.0f;
 	cn_query_filter_init(&s.filter);
 	if (call->result != CN_OK)
 		return s;
@@ -116,11 +115,8 @@ static void check_region_points(cni_call *call, cni_region *region)
 {
 	cn_polygon relative = cni_region_polygon(region);
 	const char *wrong = cni_check_convex(&relative, call->world->settings.thickness_least);
-	if (wrong == cni_points_near)
-		cni_refuse_near(call, region->points, region->count, region->count > 2);
-	else if (wrong != NULL)
-		cni_refuse(call, CN_ERROR_ARGUMENT, wrong);
-	else if (region->count > 2 && cni_cross(region->points[1], region->points[2]) < 0.0f)
+	cni_check_complaint(call, wrong, region->points, region->count, region->count > 2);
+	if (wrong == NULL && region->count > 2 && cni_cross(region->points[1], region->points[2]) < 0.0f)
 		cni_points_reverse(region->points, region->count);
 }
 
@@ -208,13 +204,9 @@ static void first_sift_down(const cni_first *first, int32_t count)
 
 void cni_first_begin(cni_first *first, void *items, int32_t item_bytes, int32_t capacity, cni_before_fn *before)
 {
+	const cni_first empty = { (uint8_t *)items, item_bytes, capacity, 0, 0, before };
 	CNI_ASSERT(item_bytes <= CNI_FIRST_ITEM_BYTES);
-	first->items = (uint8_t *)items;
-	first->item_bytes = item_bytes;
-	first->capacity = capacity;
-	first->held = 0;
-	first->total = 0;
-	first->before = before;
+	*first = empty;
 }
 
 void cni_first_add(cni_first *first, const void *item)

@@ -7,8 +7,6 @@
 #include "query/query.h"
 #include "collision/nearest.h"
 
-#include <string.h>
-
 #define GROWTH 4.0f
 
 typedef struct closest_query {
@@ -34,6 +32,13 @@ static int32_t is_closer(const closest_query *q, const cni_query_target *t, floa
 	return t->index < best || (t->index == best && t->child < q->best.child);
 }
 
+static cn_closest closest_make(const cn_world *world, const cni_query_target *t, const cni_nearest *n)
+{
+	const cn_closest made = { cni_handles_of(&world->shape_handles, t->index), cni_handle_or_zero(&world->body_handles, t->shape->body), t->child, n->distance,
+		cni_body_to_world(t->body, n->point), cni_rotate(t->body->q, n->normal) };
+	return made;
+}
+
 static float closest_visit(void *context, int32_t proxy, float limit)
 {
 	closest_query *q = (closest_query *)context;
@@ -47,12 +52,7 @@ static float closest_visit(void *context, int32_t proxy, float limit)
 	n = cni_geometry_nearest(t.geometry, t.child, cni_body_to_local(t.body, q->point));
 	if (n.distance > q->distance_max || !is_closer(q, &t, n.distance) || cni_sight_ask_target(q->sight, &t) == CN_QUERY_SKIP)
 		return limit;
-	q->best.shape = cni_handles_of(&world->shape_handles, t.index);
-	q->best.body = cni_handle_or_zero(&world->body_handles, t.shape->body);
-	q->best.child = t.child;
-	q->best.distance_m = n.distance;
-	q->best.point_m = cni_body_to_world(t.body, n.point);
-	q->best.normal = cni_rotate(t.body->q, n.normal);
+	q->best = closest_make(world, &t, &n);
 	return limit;
 }
 
@@ -66,18 +66,14 @@ cn_result cn_world_closest_point(const cn_world *world, float x_m, float y_m, fl
 {
 	cni_call call = cni_enter_const(world);
 	cni_sight sight = cni_check_filter(&call, filter);
-	closest_query q;
+	closest_query q = { &sight, { x_m, y_m }, distance_max_m, { 0, 0, 0, 0.0f, { 0.0f, 0.0f }, { 0.0f, 0.0f } } };
 	float reach;
-	cni_check_position(&call, "point", cni_v(x_m, y_m));
+	cni_check_position(&call, "point", q.point);
 	if (call.result == CN_OK)
 		cni_check_range(&call, "distance_max_m", distance_max_m, 0.0f, 4.0f * CNI_POSITION_MAX_UNITS * world->settings.length_unit);
 	cni_check_pointer(&call, "out", out);
 	if (call.result != CN_OK)
 		return call.result;
-	memset(&q, 0, sizeof q);
-	q.sight = &sight;
-	q.point = cni_v(x_m, y_m);
-	q.distance_max = distance_max_m;
 	reach = cni_min(distance_max_m, world->settings.length_unit);
 	search_within(&q, reach);
 	while (reach < distance_max_m && (q.best.shape == 0 || q.best.distance_m > reach)) {

@@ -106,19 +106,12 @@ static int32_t inside_find(const pair *p, cni_cast_hit *hit)
 	return pair_cast(p, cni_v(0.0f, 0.0f), hit) || pair_cast(p, way, hit);
 }
 
-static void distance_inside(const pair *p, const cni_cast_hit *hit, cn_distance *out)
-{
-	out->normal = cni_rotate(p->pose_a.q, hit->normal);
-	out->distance_m = -hit->depth;
-	out->point_a_m = cni_transform_point(p->pose_a, hit->point);
-	out->point_b_m = cni_madd(out->point_a_m, -hit->depth, out->normal);
-}
-
 cn_result cn_polygon_distance(const cn_polygon *a, const cn_pose *pose_a, const cn_polygon *b, const cn_pose *pose_b, cn_distance *out)
 {
 	cni_call call = cni_enter_free();
 	cni_closest d;
 	cni_cast_hit hit;
+	int32_t inside;
 	pair p;
 	check_pair(&call, a, pose_a, b, pose_b, &p);
 	cni_check_pointer(&call, "out", out);
@@ -126,14 +119,11 @@ cn_result cn_polygon_distance(const cn_polygon *a, const cn_pose *pose_a, const 
 		return call.result;
 	memset(out, 0, sizeof *out);
 	d = cni_distance(cni_geometry_proxy(&p.a.g, 0, NULL), cni_geometry_proxy(&p.b.g, 0, NULL), p.b_in_a);
-	if (!(d.distance > 0.0f) && inside_find(&p, &hit)) {
-		distance_inside(&p, &hit, out);
-		return CN_OK;
-	}
-	out->point_a_m = cni_transform_point(p.pose_a, d.point_a);
-	out->point_b_m = cni_transform_point(p.pose_a, d.point_b);
-	out->normal = cni_rotate(p.pose_a.q, d.normal);
-	out->distance_m = d.distance;
+	inside = !(d.distance > 0.0f) && inside_find(&p, &hit);
+	out->normal = cni_rotate(p.pose_a.q, inside ? hit.normal : d.normal);
+	out->distance_m = inside ? -hit.depth : d.distance;
+	out->point_a_m = cni_transform_point(p.pose_a, inside ? hit.point : d.point_a);
+	out->point_b_m = inside ? cni_madd(out->point_a_m, -hit.depth, out->normal) : cni_transform_point(p.pose_a, d.point_b);
 	return CN_OK;
 }
 

@@ -237,10 +237,11 @@ cn_result cni_refuse_int(cni_call *call, const char *field, int64_t value, const
 	return call->result;
 }
 
-void cni_refuse_near(cni_call *call, const cn_vec2 *points, int32_t count, int32_t closed)
+void cni_check_complaint(cni_call *call, const char *complaint, const cn_vec2 *points, int32_t count, int32_t closed)
 {
 	float distance, least;
-	if (call->result != CN_OK)
+	cni_check(call, complaint == NULL || complaint == cni_points_near, CN_ERROR_ARGUMENT, complaint);
+	if (complaint == NULL || call->result != CN_OK)
 		return;
 	distance = cni_least_distance(points, count, closed);
 	least = call->world->settings.thickness_least;

@@ -79,9 +79,9 @@ static inline void cni_check(cni_call *call, int32_t good, cn_result result, con
 /* Records "function: field value; must ..." after the caller's own check of a value failed. */
 cn_result cni_refuse_float(cni_call *call, const char *field, float value, const char *must);
 cn_result cni_refuse_int(cni_call *call, const char *field, int64_t value, const char *must);
-/* Records that consecutive points of a shape are closer than CNI_THICKNESS_LEAST: their distance, and the greatest length unit that
-   accepts them. */
-void cni_refuse_near(cni_call *call, const cn_vec2 *points, int32_t count, int32_t closed);
+/* Records the complaint of a geometry check, NULL for none. That points are closer than CNI_THICKNESS_LEAST has their distance, and the
+   greatest length unit that accepts them. */
+void cni_check_complaint(cni_call *call, const char *complaint, const cn_vec2 *points, int32_t count, int32_t closed);
 /* Records the result of a reserve function of model/: CN_OK, CN_ERROR_MEMORY or CN_ERROR_CAPACITY. */
 void cni_check_reserved(cni_call *call, cn_result result, const char *things);
 

@@ -20,15 +20,6 @@ void cni_source_build(cni_geometry *out, const cni_shape_source *from, cni_trans
 	}
 }
 
-/* Records the complaint of a geometry check, NULL for none. */
-static void check_geometry(cni_call *call, const char *complaint, const cn_vec2 *points, int32_t count, int32_t closed)
-{
-	if (complaint == cni_points_near)
-		cni_refuse_near(call, points, count, closed);
-	else if (complaint != NULL)
-		cni_refuse(call, CN_ERROR_ARGUMENT, complaint);
-}
-
 cni_shape_source cni_source_circle(cni_call *call, const cn_world *world, const cn_circle *circle)
 {
 	cni_check_pointer(call, "circle", circle);
@@ -36,7 +27,7 @@ cni_shape_source cni_source_circle(cni_call *call, const cn_world *world, const 
 	if (call->result == CN_OK) {
 		cni_check_finite2(call, "center_m", circle->center_m);
 		cni_check_positive(call, "radius_m", circle->radius_m);
-		check_geometry(call, cni_check_circle(circle, world->settings.thickness_least), &circle->center_m, 1, 0);
+		cni_check_complaint(call, cni_check_circle(circle, world->settings.thickness_least), &circle->center_m, 1, 0);
 	}
 	return source_make(CN_SHAPE_CIRCLE, 1, circle);
 }
@@ -51,7 +42,7 @@ cni_shape_source cni_source_capsule(cni_call *call, const cn_world *world, const
 		cni_check_positive(call, "radius_m", capsule->radius_m);
 		ends[0] = capsule->a_m;
 		ends[1] = capsule->b_m;
-		check_geometry(call, cni_check_capsule(capsule, world->settings.thickness_least), ends, 2, 0);
+		cni_check_complaint(call, cni_check_capsule(capsule, world->settings.thickness_least), ends, 2, 0);
 	}
 	return source_make(CN_SHAPE_CAPSULE, 2, capsule);
 }
@@ -65,7 +56,7 @@ cni_shape_source cni_source_edge(cni_call *call, const cn_world *world, const cn
 		cni_check_finite2(call, "b_m", edge->b_m);
 		ends[0] = edge->a_m;
 		ends[1] = edge->b_m;
-		check_geometry(call, cni_check_edge(edge, world->settings.thickness_least), ends, 2, 0);
+		cni_check_complaint(call, cni_check_edge(edge, world->settings.thickness_least), ends, 2, 0);
 	}
 	return source_make(CN_SHAPE_EDGE, 2, edge);
 }
@@ -81,7 +72,7 @@ cni_shape_source cni_source_polygon(cni_call *call, const cn_world *world, const
 	for (k = 0; k < polygon->count && call->result == CN_OK; ++k)
 		cni_check_finite2(call, "points_m", polygon->points_m[k]);
 	if (call->result == CN_OK)
-		check_geometry(call, cni_check_polygon(polygon, world->settings.thickness_least), polygon->points_m, polygon->count, 1);
+		cni_check_complaint(call, cni_check_polygon(polygon, world->settings.thickness_least), polygon->points_m, polygon->count, 1);
 	return source_make(CN_SHAPE_POLYGON, polygon->count, polygon);
 }
 
@@ -98,6 +89,6 @@ cni_shape_source cni_source_chain(cni_call *call, const cn_world *world, const c
 	for (k = 0; k < chain->count && call->result == CN_OK; ++k)
 		cni_check_finite2(call, "points_m", chain->points_m[k]);
 	if (call->result == CN_OK)
-		check_geometry(call, cni_check_chain(chain, world->settings.thickness_least), chain->points_m, chain->count, (int32_t)chain->loop);
+		cni_check_complaint(call, cni_check_chain(chain, world->settings.thickness_least), chain->points_m, chain->count, (int32_t)chain->loop);
 	return source_make(CN_SHAPE_CHAIN, chain->count, chain);
 }
