@@ -56,7 +56,7 @@ static cn_result constraint_create(cn_world *world, const char *function, int32_
 	if (call.result != CN_OK)
 		return call.result;
 	joint = cni_joint_take(world, type, joint_flags(head.flags) | CN_JOINT_COLLIDE, CNI_NONE, cni_body_index(world, head.body));
-	cni_joint_def_store(cni_joint_at(world, joint), def);
+	cni_joint_def_store(cni_joint_at(world, joint), type, def);
 	cni_joint_turns_begin(world, cni_joint_at(world, joint));
 	cni_joint_link(world, joint);
 	*out_constraint = cni_joint_handle(world, joint);
@@ -89,7 +89,7 @@ static cn_result constraint_get(const cn_world *world, int32_t type, cn_constrai
 	head.flags = constraint_flags(j->flags);
 	head.body = cni_handles_of(&world->body_handles, j->body[1]);
 	memcpy(out, &head, sizeof head);
-	cni_joint_def_read(j, out);
+	cni_joint_def_read(j, type, out);
 	return CN_OK;
 }
 
@@ -100,7 +100,7 @@ static cn_result constraint_set(cn_world *world, const char *function, int32_t t
 	constraint_head head = check_def(&call, type, def);
 	if (call.result != CN_OK)
 		return call.result;
-	cni_joint_def_store(j, def);
+	cni_joint_def_store(j, type, def);
 	memset(j->impulse, 0, sizeof j->impulse); /* the impulses belong to the old limits */
 	cni_joint_change_flags(world, cni_joint_index(world, constraint), joint_flags(head.flags) | CN_JOINT_COLLIDE);
 	return CN_OK;

@@ -25,13 +25,15 @@ enum {
 	CNI_KIND_HAS_LIMITS = 1u << 1,     /* cn_joint_set_limits */
 	CNI_KIND_NEEDS_FORCE_MAX = 1u << 2 /* force_max_N must be > 0 */
 };
+/* In place of a type: the fields of cn_joint_base that say how strong a joint of any type is. */
+enum { CNI_JOINT_STRENGTH = CNI_JOINT_TYPES };
 const cni_joint_kind *cni_joint_kind_of(int32_t type);
 
 /* Fields of a definition: set defaults (NULL does nothing), check, store in the record, read from the record. */
 void cni_joint_def_init(int32_t type, void *def);
 void cni_joint_def_check(cni_call *call, int32_t type, const void *def);
-void cni_joint_def_store(cni_joint *j, const void *def);
-void cni_joint_def_read(const cni_joint *j, void *def);
+void cni_joint_def_store(cni_joint *j, int32_t type, const void *def);
+void cni_joint_def_read(const cni_joint *j, int32_t type, void *def);
 /* Revolute: -pi <= lower <= upper <= pi. Distance: 0 <= lower <= upper. Others: lower <= upper. */
 void cni_check_joint_limits(cni_call *call, int32_t type, float lower, float upper);
 

@@ -32,44 +32,20 @@ static void check_bodies(cni_call *call, const cn_joint_base *base)
 /* Stiffness, greatest force and torque, and break thresholds of a type. */
 static void check_strength(cni_call *call, int32_t type, const cn_joint_base *base)
 {
-	cni_check_above_0_or_default(call, "stiffness_hertz", base->stiffness_hertz, CNI_HERTZ_MAX);
-	cni_check_range(call, "stiffness_damping_ratio", base->stiffness_damping_ratio, 0.0f, CNI_DAMPING_RATIO_MAX);
-	cni_check_positive_or_default(call, "force_max_N", base->force_max_N);
-	cni_check_positive_or_default(call, "torque_max_Nm", base->torque_max_Nm);
-	cni_check_positive_or_default(call, "break_force_N", base->break_force_N);
-	cni_check_positive_or_default(call, "break_torque_Nm", base->break_torque_Nm);
+	cni_joint_def_check(call, CNI_JOINT_STRENGTH, base);
 	if (cni_joint_kind_of(type)->has & CNI_KIND_NEEDS_FORCE_MAX)
 		cni_check_positive(call, "force_max_N of this type", base->force_max_N);
 	if (type == CN_JOINT_MOTOR_TO)
 		cni_check_positive(call, "torque_max_Nm of this type", base->torque_max_Nm);
 }
 
-static void store_strength(cni_joint *j, const cn_joint_base *base)
-{
-	j->stiffness_hertz = cni_zero_of_default(base->stiffness_hertz);
-	j->stiffness_damping = base->stiffness_damping_ratio;
-	j->force_max = cni_zero_of_default(base->force_max_N);
-	j->torque_max = cni_zero_of_default(base->torque_max_Nm);
-	j->break_force = cni_zero_of_default(base->break_force_N);
-	j->break_torque = cni_zero_of_default(base->break_torque_Nm);
-}
-
 static cn_joint_base base_of(const cn_world *world, const cni_joint *j)
 {
-	cn_joint_base base;
-	base.struct_size = (uint32_t)cni_joint_kind_of(j->type)->bytes;
-	base.flags = j->flags;
-	base.body_a = cni_handle_or_zero(&world->body_handles, j->body[0]);
-	base.body_b = cni_handle_or_zero(&world->body_handles, j->body[1]);
-	base.anchor_a_m = j->anchor[0];
-	base.anchor_b_m = j->anchor[1];
-	base.stiffness_hertz = cni_default_of_zero(j->stiffness_hertz);
-	base.stiffness_damping_ratio = j->stiffness_damping;
-	base.force_max_N = cni_default_of_zero(j->force_max);
-	base.torque_max_Nm = cni_default_of_zero(j->torque_max);
-	base.break_force_N = cni_default_of_zero(j->break_force);
-	base.break_torque_Nm = cni_default_of_zero(j->break_torque);
-	base.user_data = j->user_data;
+	cn_joint_base base = {
+		(uint32_t)cni_joint_kind_of(j->type)->bytes, j->flags, cni_handle_or_zero(&world->body_handles, j->body[0]), cni_handle_or_zero(&world->body_handles, j->body[1]),
+		j->anchor[0], j->anchor[1], 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, j->user_data
+	};
+	cni_joint_def_read(j, CNI_JOINT_STRENGTH, &base);
 	return base;
 }
 
@@ -140,8 +116,8 @@ static cn_result joint_create(cn_world *world, const char *function, int32_t typ
 	j->anchor[0] = base->anchor_a_m;
 	j->anchor[1] = base->anchor_b_m;
 	j->user_data = base->user_data;
-	store_strength(j, base);
-	cni_joint_def_store(j, def);
+	cni_joint_def_store(j, CNI_JOINT_STRENGTH, base);
+	cni_joint_def_store(j, type, def);
 	cni_joint_turns_begin(world, j);
 	cni_joint_link(world, joint);
 	*out_joint = cni_joint_handle(world, joint);
@@ -168,7 +144,7 @@ static cn_result joint_get(const cn_world *world, int32_t type, cn_joint joint, 
 		return call.result;
 	memset(out, 0, cni_joint_kind_of(type)->bytes);
 	*(cn_joint_base *)out = base_of(world, j);
-	cni_joint_def_read(j, out);
+	cni_joint_def_read(j, type, out);
 	return CN_OK;
 }
 
@@ -188,8 +164,8 @@ static cn_result joint_set(cn_world *world, const char *function, int32_t type, 
 	if (call.result != CN_OK)
 		return call.result;
 	ratio = j->p[CNI_P_GEAR_RATIO];
-	store_strength(j, base);
-	cni_joint_def_store(j, def);
+	cni_joint_def_store(j, CNI_JOINT_STRENGTH, base);
+	cni_joint_def_store(j, type, def);
 	if (type == CN_JOINT_GEAR && j->p[CNI_P_GEAR_RATIO] != ratio)
 		cni_joint_turns_begin(world, j); /* turns counted at another ratio are invalid */
 	if (type == CN_JOINT_RATCHET)
@@ -210,7 +186,7 @@ cn_result cn_joint_set_base(cn_world *world, cn_joint joint, const cn_joint_base
 		check_strength(&call, j->type, base);
 	if (call.result != CN_OK)
 		return call.result;
-	store_strength(j, base);
+	cni_joint_def_store(j, CNI_JOINT_STRENGTH, base);
 	cni_joint_wake_bodies(world, j);
 	return CN_OK;
 }

@@ -23,7 +23,7 @@ enum {
 	HERTZ,
 	HERTZ_ABOVE_0, /* of types that are only a spring */
 	HERTZ_OR_RIGID, /* > 0, or CN_DEFAULT, which is stored as 0; so is */
-	BREAK,         /* ... this threshold */
+	BREAK,         /* ... this force or threshold */
 	DAMPING,
 	RATIO,         /* of either sign */
 	RATIO_ABOVE_0,
@@ -142,11 +142,21 @@ static const cni_joint_field line_fields[] = {
 	FIELD(cn_line_constraint_def, user_data, offsetof(cni_joint, user_data), USER_DATA, 0.0f)
 };
 
+/* Of all joints: the members of cn_joint_base that say how strong the joint is. */
+static const cni_joint_field strength_fields[] = {
+	FIELD(cn_joint_base, stiffness_hertz, offsetof(cni_joint, stiffness_hertz), HERTZ_OR_RIGID, CN_DEFAULT),
+	FIELD(cn_joint_base, stiffness_damping_ratio, offsetof(cni_joint, stiffness_damping), DAMPING, 0.0f),
+	FIELD(cn_joint_base, force_max_N, offsetof(cni_joint, force_max), BREAK, CN_DEFAULT),
+	FIELD(cn_joint_base, torque_max_Nm, offsetof(cni_joint, torque_max), BREAK, CN_DEFAULT),
+	FIELD(cn_joint_base, break_force_N, offsetof(cni_joint, break_force), BREAK, CN_DEFAULT),
+	FIELD(cn_joint_base, break_torque_Nm, offsetof(cni_joint, break_torque), BREAK, CN_DEFAULT)
+};
+
 #define KIND(def, fields, has) { sizeof(def), #def "_init", fields, (int32_t)(sizeof fields / sizeof fields[0]), has }
 
 const cni_joint_kind *cni_joint_kind_of(int32_t type)
 {
-	static const cni_joint_kind kinds[CNI_JOINT_TYPES] = {
+	static const cni_joint_kind kinds[CNI_JOINT_STRENGTH + 1] = {
 		KIND(cn_revolute_def, revolute_fields, CNI_KIND_HAS_MOTOR | CNI_KIND_HAS_LIMITS),
 		KIND(cn_distance_def, distance_fields, CNI_KIND_HAS_MOTOR | CNI_KIND_HAS_LIMITS),
 		KIND(cn_fixed_def, fixed_fields, 0),
@@ -161,7 +171,8 @@ const cni_joint_kind *cni_joint_kind_of(int32_t type)
 		KIND(cn_groove_def, groove_fields, 0),
 		{ sizeof(cn_filter_joint_def), "cn_filter_joint_def_init", NULL, 0, 0 },
 		KIND(cn_angle_constraint_def, angle_fields, 0),
-		KIND(cn_line_constraint_def, line_fields, 0)
+		KIND(cn_line_constraint_def, line_fields, 0),
+		KIND(cn_joint_base, strength_fields, 0)
 	};
 	return kinds + type;
 }
@@ -248,19 +259,21 @@ void cni_joint_def_check(cni_call *call, int32_t type, const void *def)
 
 /* ------------------------------------------------------------------ definition and record */
 
-void cni_joint_def_init(int32_t type, void *def)
+static void fields_init(const cni_joint_kind *kind, void *def)
 {
-	const cni_joint_kind *kind = cni_joint_kind_of(type);
 	int32_t k;
-	if (!cni_def_begin(def, kind->bytes))
-		return;
 	for (k = 0; k < kind->field_count; ++k)
 		if (kind->fields[k].values != USER_DATA)
 			memcpy((char *)def + kind->fields[k].in_def, &kind->fields[k].initial, field_bytes(kind->fields + k));
-	if (!cni_joint_is_constraint(type)) {
-		cn_joint_base *base = (cn_joint_base *)def;
-		base->stiffness_hertz = base->force_max_N = base->torque_max_Nm = base->break_force_N = base->break_torque_Nm = CN_DEFAULT;
-	}
+}
+
+void cni_joint_def_init(int32_t type, void *def)
+{
+	if (!cni_def_begin(def, cni_joint_kind_of(type)->bytes))
+		return;
+	fields_init(cni_joint_kind_of(type), def);
+	if (!cni_joint_is_constraint(type))
+		fields_init(cni_joint_kind_of(CNI_JOINT_STRENGTH), def);
 }
 
 /* Replaces a number by a function of it. */
@@ -281,9 +294,9 @@ static void store_axis(cni_joint *j, cn_vec2 axis)
 	j->p[CNI_P_AXIS_Y] = unit.y;
 }
 
-void cni_joint_def_store(cni_joint *j, const void *def)
+void cni_joint_def_store(cni_joint *j, int32_t type, const void *def)
 {
-	const cni_joint_kind *kind = cni_joint_kind_of(j->type);
+	const cni_joint_kind *kind = cni_joint_kind_of(type);
 	int32_t k;
 	for (k = 0; k < kind->field_count; ++k) {
 		const cni_joint_field *field = kind->fields + k;
@@ -293,16 +306,16 @@ void cni_joint_def_store(cni_joint *j, const void *def)
 		if (field->values == AXIS)
 			store_axis(j, cni_v(j->p[CNI_P_AXIS_X], j->p[CNI_P_AXIS_Y]));
 	}
-	if (j->type == CN_JOINT_GROOVE) {
+	if (type == CN_JOINT_GROOVE) {
 		cni_vec2 slot = cni_sub(cni_v(j->p[CNI_P_GROOVE_END_X], j->p[CNI_P_GROOVE_END_Y]), j->anchor[0]);
 		store_axis(j, slot);
 		j->p[CNI_P_UPPER] = cni_length(slot);
 	}
 }
 
-void cni_joint_def_read(const cni_joint *j, void *def)
+void cni_joint_def_read(const cni_joint *j, int32_t type, void *def)
 {
-	const cni_joint_kind *kind = cni_joint_kind_of(j->type);
+	const cni_joint_kind *kind = cni_joint_kind_of(type);
 	int32_t k;
 	for (k = 0; k < kind->field_count; ++k) {
 		const cni_joint_field *field = kind->fields + k;
