@@ -23,14 +23,12 @@ static uint32_t *slots_of(const cni_handles *handles) { return (uint32_t *)handl
 void cni_handles_init(cni_handles *handles, int32_t kind)
 {
 	CNI_ASSERT(kind >= 0 && kind <= 3);
+	memset(handles, 0, sizeof *handles);
 	cni_array_init(&handles->slots, (int32_t)sizeof(uint32_t));
 	cni_array_init(&handles->aliases, (int32_t)sizeof(cni_alias));
 	cni_array_init(&handles->by_slot, (int32_t)sizeof(cni_alias));
 	handles->kind = kind;
-	handles->count = 0;
-	handles->free_first = CNI_NONE;
-	handles->free_last = CNI_NONE;
-	handles->worn = 0;
+	handles->free_first = handles->free_last = CNI_NONE;
 	handles->alias_next = INDEX_COUNT;
 }
 

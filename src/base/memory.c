@@ -52,32 +52,21 @@ static void heap_free(void *memory, uint64_t bytes, void *user)
 	free(((void **)memory)[-1]);
 }
 
-#else
-
-static void *heap_alloc(uint64_t bytes, uint32_t align, void *user)
-{
-	(void)bytes;
-	(void)align;
-	(void)user;
-	return NULL;
-}
-
-static void heap_free(void *memory, uint64_t bytes, void *user)
-{
-	(void)memory;
-	(void)bytes;
-	(void)user;
-}
-
 #endif
 
 void cni_memory_init_hooks(cni_memory *memory, cn_alloc_fn *alloc, cn_free_fn *free_hook, void *user)
 {
 	CNI_ASSERT((alloc == NULL) == (free_hook == NULL));
 	memset(memory, 0, sizeof *memory);
-	memory->alloc = alloc != NULL ? alloc : heap_alloc;
-	memory->free = alloc != NULL ? free_hook : heap_free;
+	memory->alloc = alloc;
+	memory->free = free_hook;
 	memory->user = user;
+#ifndef CN_NO_MALLOC
+	if (alloc == NULL) {
+		memory->alloc = heap_alloc;
+		memory->free = heap_free;
+	}
+#endif
 }
 
 void cni_memory_init_block(cni_memory *memory, void *block, uint64_t bytes)
@@ -146,7 +135,7 @@ static void block_free(cni_memory *memory, void *pointer, uint64_t bytes)
 /* A hook that ignores the alignment would cause faults elsewhere: its piece is freed at once, and the allocation fails. */
 static void *hook_alloc(cni_memory *memory, uint64_t bytes)
 {
-	void *pointer = memory->alloc(bytes, CNI_MEMORY_ALIGN, memory->user);
+	void *pointer = memory->alloc != NULL ? memory->alloc(bytes, CNI_MEMORY_ALIGN, memory->user) : NULL;
 	if (pointer != NULL && (uintptr_t)pointer % CNI_MEMORY_ALIGN != 0) {
 		memory->free(pointer, bytes, memory->user);
 		pointer = NULL;

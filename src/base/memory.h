@@ -29,7 +29,7 @@ typedef struct cni_memory {
 	uint64_t calls;     /* allocations, successful or not */
 } cni_memory;
 
-/* alloc and free NULL: aligned malloc. */
+/* alloc and free NULL: aligned malloc; with CN_NO_MALLOC there is then no memory. */
 void cni_memory_init_hooks(cni_memory *memory, cn_alloc_fn *alloc, cn_free_fn *free, void *user);
 /* block aligned to CNI_MEMORY_ALIGN. */
 void cni_memory_init_block(cni_memory *memory, void *block, uint64_t bytes);

@@ -16,12 +16,9 @@
 
 void cni_table_init(cni_table *table, int32_t item_bytes, int32_t page_shift)
 {
+	const cni_table empty = { NULL, 0, 0, item_bytes, page_shift };
 	CNI_ASSERT(item_bytes > 0 && page_shift >= 0 && page_shift < 31);
-	table->pages = NULL;
-	table->page_count = 0;
-	table->page_capacity = 0;
-	table->item_bytes = item_bytes;
-	table->page_shift = page_shift;
+	*table = empty;
 }
 
 static uint64_t table_page_bytes(const cni_table *table)
@@ -91,11 +88,9 @@ uint64_t cni_table_bytes_for(const cni_table *table, int32_t count)
 
 void cni_array_init(cni_array *array, int32_t item_bytes)
 {
+	const cni_array empty = { NULL, 0, 0, item_bytes };
 	CNI_ASSERT(item_bytes > 0);
-	array->data = NULL;
-	array->count = 0;
-	array->capacity = 0;
-	array->item_bytes = item_bytes;
+	*array = empty;
 }
 
 void cni_array_deinit(cni_array *array, cni_memory *memory)
