@@ -15,36 +15,27 @@ static const uint8_t magic[8] = { 'C', 'a', 'i', 'r', 'n', 'W', 'l', 'd' };
 
 /* ---- writing ---- */
 
-static uint64_t file_bytes(const cn_world *world)
-{
-	cni_file f = cni_file_begin(CNI_FILE_MEASURE, NULL);
-	cni_file_world((cn_world *)(uintptr_t)world, &f); /* which only reads */
-	return HEADER_BYTES + f.bytes;
-}
-
 cn_result cn_world_write_size(const cn_world *world, uint64_t *out_bytes)
 {
 	cni_call call = cni_enter_const(world);
+	cni_file f = cni_file_begin(CNI_FILE_MEASURE, NULL);
 	cni_check_pointer(&call, "out_bytes", out_bytes);
 	cni_check_boundary(&call, world);
-	if (call.result == CN_OK)
-		*out_bytes = file_bytes(world);
-	return call.result;
+	if (call.result != CN_OK)
+		return call.result;
+	cni_file_world((cn_world *)(uintptr_t)world, &f); /* which only reads */
+	*out_bytes = HEADER_BYTES + f.bytes;
+	return CN_OK;
 }
 
 cn_result cn_world_write(const cn_world *world, void *out, uint64_t capacity, uint64_t *out_bytes)
 {
-	cni_call call = cni_enter_const(world);
 	uint8_t *to = (uint8_t *)out;
 	uint64_t bytes;
 	cni_file f;
-	cni_check_pointer(&call, "out", out);
-	cni_check_boundary(&call, world);
-	if (call.result != CN_OK)
-		return call.result;
-	bytes = file_bytes(world);
-	if (capacity < bytes)
-		return CN_ERROR_CAPACITY;
+	cn_result sized = out != NULL ? cn_world_write_size(world, &bytes) : CN_ERROR_ARGUMENT;
+	if (sized != CN_OK || capacity < bytes)
+		return sized != CN_OK ? sized : CN_ERROR_CAPACITY;
 	f = cni_file_begin(CNI_FILE_WRITE, to + HEADER_BYTES);
 	cni_file_world((cn_world *)(uintptr_t)world, &f);
 	memcpy(to, magic, sizeof magic);

@@ -14,7 +14,7 @@
 typedef struct header {
 	uint32_t magic;
 	int32_t broadphase;
-	int32_t fixed;         /* 1: of a world in a caller's block, whose pieces have other sizes */
+	int32_t fixed;         /* vertex capacity of a world in a caller's block, whose pieces have other sizes; 0: others */
 	float length_unit;
 	uint64_t layout;
 	uint64_t bytes;        /* this header included */
@@ -47,48 +47,34 @@ uint64_t cni_save_checksum(const void *from, uint64_t count)
 	return sum[0];
 }
 
-static header header_of(const cn_world *world, uint64_t state_bytes)
+static header header_of(const cn_world *world, uint64_t bytes)
 {
-	header h;
-	memset(&h, 0, sizeof h);
-	h.magic = MAGIC;
-	h.broadphase = world->settings.broadphase;
-	h.fixed = world->vertex_capacity; /* 0: not fixed */
-	h.length_unit = world->settings.length_unit;
-	h.layout = cni_world_layout();
-	h.bytes = sizeof h + state_bytes;
+	const header h = { MAGIC, world->settings.broadphase, world->vertex_capacity, world->settings.length_unit, cni_world_layout(), bytes, 0 };
 	return h;
-}
-
-static uint64_t state_bytes(const cn_world *world)
-{
-	cni_snapshot s = cni_snapshot_begin(CNI_SNAPSHOT_MEASURE, NULL, NULL);
-	cni_world_snapshot((cn_world *)world, &s); /* which changes nothing */
-	return s.bytes;
 }
 
 cn_result cn_world_save_size(const cn_world *world, uint64_t *out_bytes)
 {
 	cni_call call = cni_enter_const(world);
+	cni_snapshot s = cni_snapshot_begin(CNI_SNAPSHOT_MEASURE, NULL, NULL);
 	cni_check_pointer(&call, "out_bytes", out_bytes);
 	cni_check_boundary(&call, world);
-	if (call.result == CN_OK)
-		*out_bytes = sizeof(header) + state_bytes(world);
-	return call.result;
+	if (call.result != CN_OK)
+		return call.result;
+	cni_world_snapshot((cn_world *)world, &s); /* which changes nothing */
+	*out_bytes = sizeof(header) + s.bytes;
+	return CN_OK;
 }
 
 cn_result cn_world_save(const cn_world *world, void *out, uint64_t capacity, uint64_t *out_bytes)
 {
-	cni_call call = cni_enter_const(world);
 	cni_snapshot s;
 	header h;
-	cni_check_pointer(&call, "out", out);
-	cni_check_boundary(&call, world);
-	if (call.result != CN_OK)
-		return call.result;
-	h = header_of(world, state_bytes(world));
-	if (capacity < h.bytes)
-		return CN_ERROR_CAPACITY;
+	uint64_t bytes;
+	cn_result sized = out != NULL ? cn_world_save_size(world, &bytes) : CN_ERROR_ARGUMENT;
+	if (sized != CN_OK || capacity < bytes)
+		return sized != CN_OK ? sized : CN_ERROR_CAPACITY;
+	h = header_of(world, bytes);
 	s = cni_snapshot_begin(CNI_SNAPSHOT_SAVE, (uint8_t *)out + sizeof h, NULL);
 	cni_world_snapshot((cn_world *)world, &s);
 	h.checksum = cni_save_checksum((const uint8_t *)out + sizeof h, s.bytes);

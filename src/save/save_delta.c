@@ -7,7 +7,6 @@
  *
  * Equal words between two changes are copied with them where that is shorter than a new run.
  */
-#include "world/error.h"
 #include "save/save.h"
 
 #include <string.h>
@@ -89,39 +88,25 @@ static void delta_put(writer *w, const void *base, uint64_t base_bytes, const vo
 	}
 }
 
-static int32_t check_saves(cni_call *call, const void *base, uint64_t base_bytes, const void *save, uint64_t save_bytes)
-{
-	cni_check_pointer(call, "base", base);
-	cni_check_pointer(call, "save", save);
-	if (call->result == CN_OK && (!cni_save_is_one(base, base_bytes) || !cni_save_is_one(save, save_bytes)))
-		call->result = CN_ERROR_FORMAT;
-	return call->result == CN_OK;
-}
-
 cn_result cn_save_delta_size(const void *base, uint64_t base_bytes, const void *save, uint64_t save_bytes, uint64_t *out_bytes)
 {
-	cni_call call = cni_enter_free();
 	writer w = { NULL, 0 };
-	cni_check_pointer(&call, "out_bytes", out_bytes);
-	if (check_saves(&call, base, base_bytes, save, save_bytes)) {
-		delta_put(&w, base, base_bytes, save, save_bytes);
-		*out_bytes = w.bytes;
-	}
-	return call.result;
+	if (out_bytes == NULL || base == NULL || save == NULL)
+		return CN_ERROR_ARGUMENT;
+	if (!cni_save_is_one(base, base_bytes) || !cni_save_is_one(save, save_bytes))
+		return CN_ERROR_FORMAT;
+	delta_put(&w, base, base_bytes, save, save_bytes);
+	*out_bytes = w.bytes;
+	return CN_OK;
 }
 
 cn_result cn_save_delta(const void *base, uint64_t base_bytes, const void *save, uint64_t save_bytes, void *out, uint64_t capacity, uint64_t *out_bytes)
 {
-	cni_call call = cni_enter_free();
-	writer w = { NULL, 0 };
-	cni_check_pointer(&call, "out", out);
-	if (!check_saves(&call, base, base_bytes, save, save_bytes))
-		return call.result;
-	delta_put(&w, base, base_bytes, save, save_bytes);
-	if (w.bytes > capacity)
-		return CN_ERROR_CAPACITY;
-	w.at = (uint8_t *)out;
-	w.bytes = 0;
+	writer w = { (uint8_t *)out, 0 };
+	uint64_t bytes;
+	cn_result sized = out != NULL ? cn_save_delta_size(base, base_bytes, save, save_bytes, &bytes) : CN_ERROR_ARGUMENT;
+	if (sized != CN_OK || bytes > capacity)
+		return sized != CN_OK ? sized : CN_ERROR_CAPACITY;
 	delta_put(&w, base, base_bytes, save, save_bytes);
 	if (out_bytes != NULL)
 		*out_bytes = w.bytes;
@@ -160,15 +145,11 @@ static int32_t delta_is_good(const uint8_t *delta, uint64_t bytes, const void *b
 
 cn_result cn_save_apply(const void *base, uint64_t base_bytes, const void *delta, uint64_t delta_bytes, void *out, uint64_t capacity, uint64_t *out_bytes)
 {
-	cni_call call = cni_enter_free();
 	const uint8_t *from = (const uint8_t *)delta;
 	pair p = { (const uint8_t *)base, NULL, base_bytes / WORD, 0 };
 	uint64_t bytes, tail;
-	cni_check_pointer(&call, "base", base);
-	cni_check_pointer(&call, "delta", delta);
-	cni_check_pointer(&call, "out", out);
-	if (call.result != CN_OK)
-		return call.result;
+	if (base == NULL || delta == NULL || out == NULL)
+		return CN_ERROR_ARGUMENT;
 	if (!delta_is_good(from, delta_bytes, base, base_bytes))
 		return CN_ERROR_FORMAT;
 	bytes = word_at(from, 3);
