@@ -260,31 +260,23 @@ static void dummy_create(cn_world *world)
 
 static const cni_broadphase_ops *broadphase_choice(int32_t broadphase)
 {
-#if !CNI_HAS_TREE
-	(void)broadphase;
-	return &cni_broadphase_sweep;
-#elif !CNI_HAS_SWEEP
-	(void)broadphase;
-	return &cni_broadphase_tree;
-#else
-	return broadphase == CN_BROADPHASE_TREE || !CNI_ON(SWEEP) ? &cni_broadphase_tree : &cni_broadphase_sweep;
-#endif
+	return CNI_HAS_TREE && (!CNI_HAS_SWEEP || broadphase == CN_BROADPHASE_TREE || !CNI_ON(SWEEP)) ? &cni_broadphase_tree : &cni_broadphase_sweep;
 }
 
-static cn_result broadphase_create(cn_world *world, int32_t capacity)
+static int32_t broadphase_create(cn_world *world, int32_t capacity)
 {
 	const cni_broadphase_context context = { &world->memory, &world->arena, &world->proxies, &world->team };
 	world->broadphase_ops = broadphase_choice(world->settings.broadphase);
 	world->broadphase = world->broadphase_ops->create(&context, capacity);
-	return world->broadphase != NULL ? CN_OK : CN_ERROR_MEMORY;
+	return world->broadphase != NULL;
 }
 
-static cn_result team_create(cn_world *world, const cn_world_def *d)
+static int32_t team_create(cn_world *world, const cn_world_def *d)
 {
 	if (!cni_team_possible(d->worker_count, d->enqueue))
-		return CN_OK;
+		return 1;
 	world->team = cni_team_create(&world->memory, d->worker_count, d->enqueue, d->finish, d->task_user);
-	return world->team != NULL ? CN_OK : CN_ERROR_MEMORY;
+	return world->team != NULL;
 }
 
 /* ---- capacities ---- */
@@ -309,13 +301,6 @@ static void pieces_make(const cn_world_def *d, cni_pieces out[PIECE_KINDS])
 	out[1].count = reserves(d, CN_RESERVE_CHAINS) ? 2 * d->shape_capacity : 0;
 	out[2].bytes = CN_NAME_MAX_BYTES + 1;
 	out[2].count = reserves(d, CN_RESERVE_NAMES) ? d->body_capacity : 0;
-}
-
-static int32_t reserve_pieces(cn_world *world, const cn_world_def *d)
-{
-	cni_pieces pieces[PIECE_KINDS];
-	pieces_make(d, pieces);
-	return cni_blocks_reserve_exact(&world->blocks, pieces, PIECE_KINDS);
 }
 
 static int32_t blocks_for(int32_t lanes)
@@ -403,7 +388,9 @@ static int32_t reserve_rooms(cn_world *world, const cn_world_def *d)
 /* What a fixed world has beside its rooms. */
 static int32_t reserve_rest(cn_world *world, const cn_world_def *d)
 {
-	return reserve_pieces(world, d) && cni_arena_reserve(&world->arena, arena_bytes(d));
+	cni_pieces pieces[PIECE_KINDS];
+	pieces_make(d, pieces);
+	return cni_blocks_reserve_exact(&world->blocks, pieces, PIECE_KINDS) && cni_arena_reserve(&world->arena, arena_bytes(d));
 }
 
 static uint64_t array_bytes(int32_t count, size_t item)
@@ -507,8 +494,8 @@ cn_result cn_world_create(const cn_world_def *def, cn_world **out_world)
 	tables_init(world);
 	world->event_capacity = events_of(def);
 	world->vertex_capacity = def->memory != NULL ? def->vertex_capacity : 0;
-	created = broadphase_create(world, def->shape_capacity) == CN_OK && reserve_rooms(world, def) &&
-	          (def->memory == NULL || reserve_rest(world, def)) && team_create(world, def) == CN_OK;
+	created = broadphase_create(world, def->shape_capacity) && reserve_rooms(world, def) &&
+	          (def->memory == NULL || reserve_rest(world, def)) && team_create(world, def);
 	if (!created) {
 		cn_world_destroy(world);
 		return CN_ERROR_MEMORY;
