@@ -94,12 +94,10 @@ static cn_velocity velocity_in_wind(const cn_world *world, const cni_body *b, co
 	cn_velocity v = cni_body_velocity(world, b);
 	const cni_in_medium in = { cni_shape_geometry(&world->blocks, s), b->local_center, b->q, v.linear_mps, v.angular_radps };
 	cni_medium_force force;
-	float mass[3], change[3];
+	const float mass[3] = { b->flags & CN_BODY_LOCK_X ? 0.0f : b->mass, b->flags & CN_BODY_LOCK_Y ? 0.0f : b->mass, b->flags & CN_BODY_LOCK_ROTATION ? 0.0f : b->inertia };
+	float change[3];
 	memset(&force, 0, sizeof force);
 	cni_medium_add(&force, wind, &everywhere, &in);
-	mass[0] = b->flags & CN_BODY_LOCK_X ? 0.0f : b->mass;
-	mass[1] = b->flags & CN_BODY_LOCK_Y ? 0.0f : b->mass;
-	mass[2] = b->flags & CN_BODY_LOCK_ROTATION ? 0.0f : b->inertia;
 	cni_medium_solve(&force, mass, dt, change);
 	v.linear_mps = cni_add(v.linear_mps, cni_v(change[0], change[1]));
 	v.angular_radps += change[2];

@@ -260,18 +260,7 @@ CNI_DEFINE_IS_VALID(body)
 
 /* ------------------------------------------------------------------ user data and lists */
 
-CNI_DEFINE_GET(body, user_data, uint64_t, record->user_data)
-
-cn_result cn_body_set_user_data(cn_world *world, cn_body body, uint64_t user_data)
-{
-	cni_call call = cni_enter(world, __func__);
-	cni_body *b = cni_check_body(&call, "body", body);
-	if (call.result != CN_OK)
-		return call.result;
-	b->user_data = user_data;
-	cni_readback_store(world, cni_body_index(world, body));
-	return CN_OK;
-}
+CNI_DEFINE_USER_DATA(body, cni_readback_store(world, cni_body_index(world, body)))
 
 cn_result cn_body_get_shapes(const cn_world *world, cn_body body, cn_shape *out, int32_t capacity, int32_t *out_count)
 {

@@ -52,27 +52,26 @@ typedef cni_joint cni_constraint;
 #define CNI_DEFINE_IS_VALID(noun) \
 	int32_t cn_##noun##_is_valid(const cn_world *world, cn_##noun noun) { return world != NULL && cni_live_##noun(world, noun) != NULL; }
 
-/* Defines cn_<noun>_set_user_data and cn_<noun>_get_user_data. */
-#define CNI_DEFINE_USER_DATA(noun) \
+/* Defines cn_<noun>_set_user_data and cn_<noun>_get_user_data; after: an expression, evaluated after the data were set. */
+#define CNI_DEFINE_USER_DATA(noun, after) \
 	CNI_DEFINE_GET(noun, user_data, uint64_t, record->user_data) \
 	cn_result cn_##noun##_set_user_data(cn_world *world, cn_##noun noun, uint64_t user_data) \
 	{ \
 		cni_call call = cni_enter(world, __func__); \
 		cni_##noun *record = cni_check_##noun(&call, #noun, noun); \
-		if (call.result == CN_OK) \
-			record->user_data = user_data; \
-		return call.result; \
+		if (call.result != CN_OK) \
+			return call.result; \
+		record->user_data = user_data; \
+		after; \
+		return CN_OK; \
 	}
 
 /* Defines cn_world_<name>, which returns an array of the last step's events. */
 #define CNI_DEFINE_EVENTS(name, type, array) \
 	cn_result cn_world_##name(const cn_world *world, const type **out, int32_t *out_count) \
 	{ \
-		cni_call call = cni_enter_const(world); \
-		cni_check_pointer(&call, "out", out); \
-		cni_check_pointer(&call, "out_count", out_count); \
-		if (call.result != CN_OK) \
-			return call.result; \
+		if (world == NULL || out == NULL || out_count == NULL) \
+			return CN_ERROR_ARGUMENT; \
 		*out = (const type *)world->events.array.data; \
 		*out_count = world->events.array.count; \
 		return CN_OK; \

@@ -138,7 +138,7 @@ CNI_DEFINE_GET2(joint, anchors, cn_vec2, cn_vec2, cni_joint_anchors(world, recor
 CNI_DEFINE_GET2(joint, reaction, cn_vec2, float, cni_joint_reaction(world, record, out_a, out_b))
 CNI_DEFINE_GET2(joint, error, float, float, cni_joint_error(world, record, out_a, out_b))
 CNI_DEFINE_GET(joint, solver, int32_t, record->solver)
-CNI_DEFINE_USER_DATA(joint)
+CNI_DEFINE_USER_DATA(joint, (void)0)
 CNI_DEFINE_GET(joint, flags, uint32_t, record->flags)
 CNI_DEFINE_GET(joint, position, float, cni_joint_position(world, record))
 CNI_DEFINE_GET(joint, speed, float, cni_joint_speed(world, record))

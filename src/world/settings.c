@@ -19,11 +19,10 @@ static void wake_all(cn_world *world)
 #define WORLD_GET(what, type, value) \
 	cn_result cn_world_get_##what(const cn_world *world, type *out) \
 	{ \
-		cni_call call = cni_enter_const(world); \
-		cni_check_pointer(&call, "out", out); \
-		if (call.result == CN_OK) \
-			*out = value; \
-		return call.result; \
+		if (world == NULL || out == NULL) \
+			return CN_ERROR_ARGUMENT; \
+		*out = value; \
+		return CN_OK; \
 	}
 
 /* Defines cn_world_set_<what>, which stores one value after a check. */
@@ -83,11 +82,8 @@ cn_result cn_world_set_accuracy(cn_world *world, float accuracy_m, int32_t work_
 
 cn_result cn_world_get_accuracy(const cn_world *world, float *out_accuracy_m, int32_t *out_work_budget)
 {
-	cni_call call = cni_enter_const(world);
-	cni_check_pointer(&call, "out_accuracy_m", out_accuracy_m);
-	cni_check_pointer(&call, "out_work_budget", out_work_budget);
-	if (call.result != CN_OK)
-		return call.result;
+	if (world == NULL || out_accuracy_m == NULL || out_work_budget == NULL)
+		return CN_ERROR_ARGUMENT;
 	*out_accuracy_m = world->settings.accuracy;
 	*out_work_budget = world->settings.work_budget == 0 ? CN_DEFAULT : world->settings.work_budget;
 	return CN_OK;
@@ -196,18 +192,13 @@ static cn_counters counters_of(const cn_world *world)
 
 static cn_memory_stats memory_stats_of(const cn_world *world)
 {
-	cn_memory_stats s;
-	memset(&s, 0, sizeof s);
-	s.bytes_in_use = world->memory.bytes_in_use;
-	s.bytes_peak = world->memory.bytes_peak;
-	s.allocator_calls = world->memory.calls;
-	s.arena_capacity = world->arena.capacity;
-	s.arena_peak = world->arena.high_water;
-	s.arena_fallbacks = world->arena.fallbacks;
-	s.blocks_capacity = world->blocks.bytes_in_chunks;
-	s.blocks_in_use = world->blocks.bytes_in_use;
-	s.blocks_large = world->blocks.bytes_large;
-	return s;
+	const cni_memory *memory = &world->memory;
+	const cni_arena *arena = &world->arena;
+	const cni_blocks *blocks = &world->blocks;
+	const cn_memory_stats stats = {
+		memory->bytes_in_use, memory->bytes_peak, memory->calls, arena->capacity, arena->high_water, arena->fallbacks, blocks->bytes_in_chunks, blocks->bytes_in_use, blocks->bytes_large
+	};
+	return stats;
 }
 
 WORLD_GET(counters, cn_counters, counters_of(world))

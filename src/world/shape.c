@@ -223,4 +223,4 @@ cn_result cn_shape_set_flags(cn_world *world, cn_shape shape, uint32_t flags)
 
 CNI_DEFINE_GET(shape, flags, uint32_t, record->flags)
 
-CNI_DEFINE_USER_DATA(shape)
+CNI_DEFINE_USER_DATA(shape, (void)0)

@@ -313,12 +313,10 @@ static void check_areas(report *r)
 
 cn_result cn_world_validate(const cn_world *world, char *text, int32_t text_bytes)
 {
-	cni_call call = cni_enter_const(world);
 	cni_text out;
 	report r;
-	cni_check_array(&call, "text", text, text_bytes);
-	if (call.result != CN_OK)
-		return call.result;
+	if (world == NULL || text_bytes < 0 || (text == NULL && text_bytes > 0))
+		return CN_ERROR_ARGUMENT;
 	memset(&r, 0, sizeof r);
 	r.world = world;
 	check_bodies(&r);
