@@ -135,20 +135,6 @@ static inline void cni_sweep_mark(uint64_t *words, int32_t id, int32_t *count)
 
 static inline cni_team *cni_sweep_team(const cni_sweep *sweep) { return sweep->context.team == NULL ? NULL : *sweep->context.team; }
 
-/* begins: ascending first entries of consecutive jobs. Returns the first job that begins at or after an entry. */
-static inline int32_t cni_sweep_first_at(const int32_t *begins, int32_t count, int32_t entry)
-{
-	int32_t low = 0;
-	while (low < count) {
-		int32_t middle = (low + count) / 2;
-		if (begins[middle] < entry)
-			low = middle + 1;
-		else
-			count = middle;
-	}
-	return low;
-}
-
 static inline cni_sweep_rows cni_sweep_rows_at(float *first, int32_t capacity)
 {
 	cni_sweep_rows rows = { first, first + capacity, first + 2 * capacity, first + 3 * capacity, (int32_t *)(first + 4 * capacity) };

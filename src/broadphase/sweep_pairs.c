@@ -174,10 +174,24 @@ static void job_run(const pair_loop *loop, int32_t job, cni_sweep_pass *pass)
 		cni_sweep_search_entry(pass, loop->singles[job - pass->dense_count]);
 }
 
+/* The first job that begins at or after an entry. */
+static int32_t first_job_at(const pair_loop *loop, int32_t entry)
+{
+	int32_t low = 0, count = loop->job_count;
+	while (low < count) {
+		int32_t middle = (low + count) / 2;
+		if (loop->begins[middle] < entry)
+			low = middle + 1;
+		else
+			count = middle;
+	}
+	return low;
+}
+
 static void gather_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
 	const pair_loop *loop = (const pair_loop *)context;
-	int32_t job = cni_sweep_first_at(loop->begins, loop->job_count, begin);
+	int32_t job = first_job_at(loop, begin);
 	(void)worker;
 	for (; job < loop->pass->dense_count && loop->begins[job] < end; ++job)
 		gather_previous(loop->pass, job);
@@ -187,7 +201,7 @@ static void find_range(void *context, int32_t begin, int32_t end, int32_t worker
 {
 	const pair_loop *loop = (const pair_loop *)context;
 	cni_sweep_pass own = *loop->pass;
-	int32_t job = cni_sweep_first_at(loop->begins, loop->job_count, begin);
+	int32_t job = first_job_at(loop, begin);
 	(void)worker;
 	for (; job < loop->job_count && loop->begins[job] < end; ++job) {
 		own.slot_room = job_room(loop, job, &own.slots);

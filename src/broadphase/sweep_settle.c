@@ -31,7 +31,7 @@
 #define PATIENCE_MOST 256      /* settles */
 #define SHARED_LEAST 1024      /* loose proxies for which it pays to wake other workers */
 #define RANGE_WORDS 16         /* of the loose set, some ten microseconds of looking for homes */
-#define RANGE_ENTRIES 512      /* ... of rebuilding */
+#define RANGE_TILES 4          /* ... of rebuilding */
 #define HOME_STAYS 0x40000000  /* beside a tile: the proxy is there now */
 
 /* ---- choosing sizes ---- */
@@ -209,6 +209,14 @@ static void enter(cni_sweep *sweep, cni_proxy *proxy, int32_t id, int32_t home)
 	mark_settled(sweep, id);
 }
 
+static void leave(cni_sweep *sweep, cni_sweep_tile *tile, int32_t id)
+{
+	if (tile->dense)
+		--sweep->levels[tile->level].entries;
+	else
+		cni_sweep_entry_remove(sweep, tile, id);
+}
+
 /* Moves an entry to its home; in dense tiles it only prepares the rebuild. */
 static void settle_proxy(cni_sweep *sweep, int32_t id, int32_t home)
 {
@@ -220,8 +228,8 @@ static void settle_proxy(cni_sweep *sweep, int32_t id, int32_t home)
 		mark_settled(sweep, id);
 		return;
 	}
-	if (proxy->cell != CNI_NONE && !cni_sweep_tile_at(sweep, proxy->cell)->dense)
-		cni_sweep_entry_remove(sweep, cni_sweep_tile_at(sweep, proxy->cell), id);
+	if (proxy->cell != CNI_NONE)
+		leave(sweep, cni_sweep_tile_at(sweep, proxy->cell), id);
 	proxy->cell = CNI_NONE;
 	if (home != CNI_NONE)
 		enter(sweep, proxy, id, home);
@@ -246,22 +254,13 @@ static void settle_singly(cni_sweep *sweep)
 
 /* ---- many at once ---- */
 
-/* Results of a rebuild that one thread adds to the level afterwards. */
-typedef struct rebuilt {
-	int32_t gone;      /* entries dropped */
-	float extent;      /* of the largest entry */
-} rebuilt;
-
 typedef struct settle_pass {
 	cni_sweep *sweep;
 	cni_team *team;    /* NULL: one thread */
 	int32_t *homes;    /* of each loose proxy, with HOME_STAYS */
 	int32_t *touched;  /* tiles that change */
 	int32_t touched_count;
-	int32_t key_count; /* of the largest tile */
-	uint64_t *keys;    /* 2 key_count per worker */
-	int32_t *begins;   /* per touched tile: prefix sum of the entries to rebuild */
-	rebuilt *results;  /* per touched tile */
+	float *extents;    /* per touched tile: of the largest entry after a rebuild */
 } settle_pass;
 
 static void touch(settle_pass *pass, int32_t tile)
@@ -305,36 +304,13 @@ static void find_homes(settle_pass *pass)
 	}
 }
 
-/* Takes scratch to rebuild tiles of up to `count` keys, for each worker or at least for one. */
-static void take_keys(settle_pass *pass, int32_t count)
+/* Decides which tiles are rebuilt. */
+static void choose_dense(const settle_pass *pass)
 {
-	cni_arena *arena = pass->sweep->context.arena;
-	uint64_t one = 2u * sizeof(uint64_t) * (uint64_t)count, tiles = (sizeof(rebuilt) + sizeof(int32_t)) * (uint64_t)pass->touched_count;
-	pass->key_count = count;
-	pass->keys = (uint64_t *)cni_arena_push(arena, one * (uint64_t)cni_team_workers(pass->team) + tiles);
-	if (pass->keys == NULL && pass->team != NULL) {
-		pass->team = NULL;
-		pass->keys = (uint64_t *)cni_arena_push(arena, one + tiles);
-	}
-	if (pass->keys == NULL)
-		return;
-	pass->results = (rebuilt *)(void *)(pass->keys + 2 * (int64_t)count * cni_team_workers(pass->team));
-	pass->begins = (int32_t *)(void *)(pass->results + pass->touched_count);
-}
-
-/* Decides which tiles are rebuilt, and takes scratch for the keys of the largest. */
-static void choose_dense(settle_pass *pass)
-{
-	int32_t largest = 0;
 	int32_t i;
 	for (i = 0; i < pass->touched_count; ++i) {
-		const cni_sweep_tile *tile = cni_sweep_tile_at(pass->sweep, pass->touched[i]);
-		largest = cni_max_i(largest, tile->count + tile->touched);
-	}
-	take_keys(pass, largest);
-	for (i = 0; i < pass->touched_count; ++i) {
 		cni_sweep_tile *tile = cni_sweep_tile_at(pass->sweep, pass->touched[i]);
-		tile->dense = pass->keys != NULL && cni_sweep_many_touched(tile);
+		tile->dense = (uint8_t)cni_sweep_many_touched(tile);
 	}
 }
 
@@ -354,13 +330,11 @@ static void migrate(const settle_pass *pass)
 }
 
 /* Keys of the entries that still belong here; returns their number. */
-static int32_t collect_keys(const cni_sweep *sweep, int32_t tile, uint64_t *keys)
+static int32_t collect_keys(const cni_sweep *sweep, int32_t tile, const int32_t *ids, uint64_t *keys)
 {
-	const cni_sweep_tile *t = cni_sweep_tile_at(sweep, tile);
-	const int32_t *ids = cni_sweep_rows_of(sweep, t).id;
 	int32_t count = 0;
 	int32_t k;
-	for (k = 0; k < t->count; ++k) {
+	for (k = 0; k < cni_sweep_tile_at(sweep, tile)->count; ++k) {
 		const cni_proxy *proxy = cni_sweep_proxy(sweep, ids[k]);
 		keys[count] = (uint64_t)cni_sort_float_key(proxy->fat.x0) << 32 | (uint32_t)ids[k];
 		count += proxy->cell == tile;
@@ -368,66 +342,49 @@ static int32_t collect_keys(const cni_sweep *sweep, int32_t tile, uint64_t *keys
 	return count;
 }
 
-static void gather_rows(const cni_sweep *sweep, const cni_sweep_tile *tile, const uint64_t *keys)
+/* Rebuilds a tile and returns the extent of its largest entry. The keys are in the rows x0 and x1, whose boxes are out of date, and the
+   scratch of their sorting is in y0 and y1. */
+static float rebuild(const cni_sweep *sweep, int32_t tile)
 {
-	cni_sweep_rows rows = cni_sweep_rows_of(sweep, tile);
+	cni_sweep_tile *t = cni_sweep_tile_at(sweep, tile);
+	cni_sweep_rows rows;
+	uint64_t *keys;
 	int32_t k;
-	for (k = 0; k < tile->count; ++k) {
-		int32_t id = (int32_t)(uint32_t)keys[k];
-		cni_sweep_entry_set(&rows, k, id, &cni_sweep_proxy(sweep, id)->fat);
-	}
+	if (t->count == 0)
+		return 0.0f;
+	rows = cni_sweep_rows_of(sweep, t);
+	keys = (uint64_t *)(void *)rows.x0;
+	t->count = collect_keys(sweep, tile, rows.id, keys);
+	cni_sort_keys(keys, keys + t->capacity, t->count);
+	for (k = 0; k < t->count; ++k)
+		rows.id[k] = (int32_t)(uint32_t)keys[k];
+	for (k = 0; k < t->count; ++k)
+		cni_sweep_box_set(&rows, k, &cni_sweep_proxy(sweep, rows.id[k])->fat);
+	cni_sweep_tile_pad(sweep, t);
+	return cni_sweep_tile_measure(sweep, t);
 }
 
-static void rebuild(const settle_pass *pass, int32_t tile, uint64_t *keys, rebuilt *out)
-{
-	cni_sweep_tile *t = cni_sweep_tile_at(pass->sweep, tile);
-	int32_t count;
-	CNI_ASSERT(t->count <= pass->key_count);
-	count = t->count > 0 ? collect_keys(pass->sweep, tile, keys) : 0;
-	out->gone = t->count - count;
-	out->extent = 0.0f;
-	t->count = count;
-	if (count == 0)
-		return;
-	cni_sort_keys(keys, keys + pass->key_count, count);
-	gather_rows(pass->sweep, t, keys);
-	out->extent = cni_sweep_tile_measure(pass->sweep, t);
-	cni_sweep_tile_pad(pass->sweep, t);
-}
-
-/* Rebuilds the dense tiles that begin in a range of entries. Writes only the tiles and their results. */
+/* Writes only the tiles of the range and their extents. */
 static void rebuild_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
 	const settle_pass *pass = (const settle_pass *)context;
-	int32_t i = cni_sweep_first_at(pass->begins, pass->touched_count, begin);
-	for (; i < pass->touched_count && pass->begins[i] < end; ++i)
+	int32_t i;
+	(void)worker;
+	for (i = begin; i < end; ++i)
 		if (cni_sweep_tile_at(pass->sweep, pass->touched[i])->dense)
-			rebuild(pass, pass->touched[i], pass->keys + 2 * (int64_t)pass->key_count * worker, &pass->results[i]);
-}
-
-static int32_t count_begins(const settle_pass *pass)
-{
-	int32_t i, entries = 0;
-	for (i = 0; i < pass->touched_count; ++i) {
-		const cni_sweep_tile *tile = cni_sweep_tile_at(pass->sweep, pass->touched[i]);
-		pass->begins[i] = entries;
-		entries += tile->dense ? cni_max_i(tile->count, 1) : 0;
-	}
-	return entries;
+			pass->extents[i] = rebuild(pass->sweep, pass->touched[i]);
 }
 
 static void finish_tiles(settle_pass *pass)
 {
 	cni_sweep *sweep = pass->sweep;
 	int32_t i;
-	if (pass->keys != NULL)
-		cni_team_for(pass->team, count_begins(pass), RANGE_ENTRIES, rebuild_range, pass);
+	cni_team_for(pass->team, pass->touched_count, RANGE_TILES, rebuild_range, pass);
 	for (i = 0; i < pass->touched_count; ++i) {
 		int32_t tile = pass->touched[i];
 		cni_sweep_tile *t = cni_sweep_tile_at(sweep, tile);
 		if (t->dense) {
-			sweep->levels[t->level].entries -= pass->results[i].gone;
-			cni_sweep_level_cover(&sweep->levels[t->level], pass->results[i].extent);
+			cni_sweep_level_cover(&sweep->levels[t->level], pass->extents[i]);
 			if (t->count > 0)
 				cni_sweep_tile_shrink(sweep, t);
 		}
@@ -443,7 +400,7 @@ static int32_t settle_together(cni_sweep *sweep, cni_team *team)
 	settle_pass pass;
 	/* Bound of the tiles that change: a home for each loose proxy, plus each proxy's present tile, at most all tiles. */
 	uint64_t touched = (uint64_t)sweep->loose_count + (uint64_t)cni_min_i(sweep->loose_count, sweep->tile_count);
-	void *scratch = cni_arena_push(sweep->context.arena, sizeof(int32_t) * ((uint64_t)sweep->loose_count + touched));
+	void *scratch = cni_arena_push(sweep->context.arena, sizeof(int32_t) * ((uint64_t)sweep->loose_count + 2 * touched));
 	if (scratch == NULL)
 		return 0;
 	memset(&pass, 0, sizeof(pass));
@@ -451,11 +408,11 @@ static int32_t settle_together(cni_sweep *sweep, cni_team *team)
 	pass.team = sweep->loose_count < SHARED_LEAST ? NULL : team;
 	pass.homes = (int32_t *)scratch;
 	pass.touched = pass.homes + sweep->loose_count;
+	pass.extents = (float *)(void *)(pass.touched + touched);
 	find_homes(&pass);
 	choose_dense(&pass);
 	migrate(&pass);
 	finish_tiles(&pass);
-	(void)cni_arena_pop(sweep->context.arena, pass.keys);
 	(void)cni_arena_pop(sweep->context.arena, scratch);
 	return 1;
 }
