@@ -169,13 +169,13 @@ static int32_t chunk_begin(const loop *of, int32_t chunk)
 }
 
 /* Takes and runs chunks of a seat until none is left; returns their number. */
-static uint32_t run_take(seat *s, int32_t worker)
+static uint32_t run_take(seat *s)
 {
 	uint32_t left = cni_atomic_load(&s->word), count = 0;
 	while (left & CHUNKS_MOST) {
 		if (cni_atomic_replace(&s->word, &left, left - 1u)) {
 			int32_t chunk = s->chunk_end - (int32_t)left;
-			s->of.fn(s->of.context, chunk_begin(&s->of, chunk), chunk_begin(&s->of, chunk + 1), worker);
+			s->of.fn(s->of.context, chunk_begin(&s->of, chunk), chunk_begin(&s->of, chunk + 1));
 			++count;
 			left = cni_atomic_load(&s->word);
 		}
@@ -189,9 +189,9 @@ static uint32_t others_take(cni_team *team, int32_t worker)
 	uint32_t count = 0;
 	int32_t k;
 	for (k = worker + 1; k < team->worker_count; ++k)
-		count += run_take(&team->seats[k], worker);
+		count += run_take(&team->seats[k]);
 	for (k = 0; k < worker; ++k)
-		count += run_take(&team->seats[k], worker);
+		count += run_take(&team->seats[k]);
 	return count;
 }
 
@@ -260,7 +260,7 @@ static void done_add(cni_team *team, uint32_t count)
 static void help(cni_team *team, int32_t worker)
 {
 	while (!(seat_watch(team, &team->seats[worker]) & CLOSED)) {
-		done_add(team, run_take(&team->seats[worker], worker));
+		done_add(team, run_take(&team->seats[worker]));
 		done_add(team, others_take(team, worker));
 	}
 }
@@ -297,7 +297,7 @@ static void seats_fill(cni_team *team, const loop *of, int32_t runs)
 static void chunks_finish(cni_team *team, uint32_t count)
 {
 	int32_t round;
-	count -= run_take(&team->seats[0], 0);
+	count -= run_take(&team->seats[0]);
 	if (cni_atomic_load(&team->done) != count)
 		count -= others_take(team, 0);
 	for (round = 0; cni_atomic_load(&team->done) != count; ++round) {
@@ -318,7 +318,7 @@ static void loop_share(cni_team *team, loop of)
 {
 	int32_t runs = cni_min_i(workers_here(team), of.chunk_count);
 	if (runs < 2) {
-		of.fn(of.context, 0, of.item_count, 0);
+		of.fn(of.context, 0, of.item_count);
 		return;
 	}
 	of.chunk_count = cni_min_i(of.chunk_count, runs * CHUNKS_A_RUN);
@@ -343,7 +343,7 @@ void cni_team_for(cni_team *team, int32_t item_count, int32_t min_range, cni_ran
 	if (item_count <= 0)
 		return;
 	if (team == NULL || item_count / 2 < min_range) {
-		fn(context, 0, item_count, 0);
+		fn(context, 0, item_count);
 		return;
 	}
 	single_loop l = { team, { fn, context, item_count, item_count / min_range } };

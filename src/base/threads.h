@@ -7,7 +7,7 @@
  * to workers depends on timing; a loop's results must not depend on it.
  *
  * A team has its own threads, or borrows threads of the user's task system for the duration of cni_team_run or a single
- * loop. Workers are numbered 0 (the leader) to cni_team_workers - 1; no two have the same number at once.
+ * loop.
  * A team of NULL is one worker, the calling thread; with CN_NO_THREADS all teams are NULL.
  */
 #ifndef CNI_BASE_THREADS_H
@@ -31,8 +31,8 @@
 
 typedef struct cni_team cni_team;
 
-/* Runs items begin to end - 1 of a loop as the given worker. */
-typedef void cni_range_fn(void *context, int32_t begin, int32_t end, int32_t worker);
+/* Runs items begin to end - 1 of a loop. */
+typedef void cni_range_fn(void *context, int32_t begin, int32_t end);
 typedef void cni_lead_fn(void *context);
 
 /* 2 to CN_WORKERS_MAX workers including the calling thread. enqueue and finish NULL: the team starts its own threads.
@@ -66,7 +66,7 @@ static inline void cni_team_for(cni_team *team, int32_t item_count, int32_t min_
 {
 	(void)team, (void)min_range;
 	if (item_count > 0)
-		fn(context, 0, item_count, 0);
+		fn(context, 0, item_count);
 }
 static inline void cni_team_run(cni_team *team, cni_lead_fn *lead, void *context)
 {

@@ -188,21 +188,19 @@ static int32_t first_job_at(const pair_loop *loop, int32_t entry)
 	return low;
 }
 
-static void gather_range(void *context, int32_t begin, int32_t end, int32_t worker)
+static void gather_range(void *context, int32_t begin, int32_t end)
 {
 	const pair_loop *loop = (const pair_loop *)context;
 	int32_t job = first_job_at(loop, begin);
-	(void)worker;
 	for (; job < loop->pass->dense_count && loop->begins[job] < end; ++job)
 		gather_previous(loop->pass, job);
 }
 
-static void find_range(void *context, int32_t begin, int32_t end, int32_t worker)
+static void find_range(void *context, int32_t begin, int32_t end)
 {
 	const pair_loop *loop = (const pair_loop *)context;
 	cni_sweep_pass own = *loop->pass;
 	int32_t job = first_job_at(loop, begin);
-	(void)worker;
 	for (; job < loop->job_count && loop->begins[job] < end; ++job) {
 		own.slot_room = job_room(loop, job, &own.slots);
 		own.slot_count = 0;

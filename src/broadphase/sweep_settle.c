@@ -270,13 +270,12 @@ static void touch(settle_pass *pass, int32_t tile)
 }
 
 /* Looks up the homes of a range of words of the loose set. It makes no tile: a missing one yields CNI_NONE. */
-static void homes_range(void *context, int32_t begin, int32_t end, int32_t worker)
+static void homes_range(void *context, int32_t begin, int32_t end)
 {
 	const settle_pass *pass = (const settle_pass *)context;
 	cni_sweep_walk walk = cni_sweep_walk_bits(pass->sweep, &pass->sweep->loose);
 	int32_t id, w, i = 0;
 	cell at;
-	(void)worker;
 	for (w = 0; w < begin; ++w)
 		i += cni_bit_count64(walk.words[w]);
 	walk.word = begin - 1;
@@ -365,11 +364,10 @@ static float rebuild(const cni_sweep *sweep, int32_t tile)
 }
 
 /* Writes only the tiles of the range and their extents. */
-static void rebuild_range(void *context, int32_t begin, int32_t end, int32_t worker)
+static void rebuild_range(void *context, int32_t begin, int32_t end)
 {
 	const settle_pass *pass = (const settle_pass *)context;
 	int32_t i;
-	(void)worker;
 	for (i = begin; i < end; ++i)
 		if (cni_sweep_tile_at(pass->sweep, pass->touched[i])->dense)
 			pass->extents[i] = rebuild(pass->sweep, pass->touched[i]);

@@ -49,10 +49,9 @@ typedef struct color_loop {
 	cni_contact_kernel_fn *run;
 } color_loop;
 
-static void color_range(void *context, int32_t begin, int32_t end, int32_t worker)
+static void color_range(void *context, int32_t begin, int32_t end)
 {
 	const color_loop *loop = (const color_loop *)context;
-	(void)worker;
 	loop->run(&loop->c, begin, end);
 }
 

@@ -95,11 +95,10 @@ static void lane_open(const sums_loop *loop, cni_block_sums *sums, int32_t l)
 		sums->closing[p][l] = -(n + b[2] * (k->p[p].at[l] - k->dt[l]) - a[2] * k->p[p].at[l]);
 }
 
-static void open_range(void *context, int32_t begin, int32_t end, int32_t worker)
+static void open_range(void *context, int32_t begin, int32_t end)
 {
 	const sums_loop *loop = (const sums_loop *)context;
 	int32_t k;
-	(void)worker;
 	for (k = begin; k < end; ++k) {
 		cni_block_sums *sums = loop->world->sums + k;
 		uint32_t left;
@@ -168,11 +167,10 @@ void cni_impulse_sums_take(cn_world *world, int32_t contact, float first, float 
 		lane_blow(sums, l, first, second);
 }
 
-static void take_range(void *context, int32_t begin, int32_t end, int32_t worker)
+static void take_range(void *context, int32_t begin, int32_t end)
 {
 	const sums_loop *loop = (const sums_loop *)context;
 	int32_t k, l;
-	(void)worker;
 	for (k = begin; k < end; ++k) {
 		cni_block_sums *sums = loop->world->sums + k;
 		const cni_contact_block *block = cni_block_at(loop->world, sums->block);

@@ -158,12 +158,11 @@ static void found_add(const color_sweep *c, found_lanes *found, const cni_listed
 	}
 }
 
-static void color_sweep_run(void *context, int32_t begin, int32_t end, int32_t worker)
+static void color_sweep_run(void *context, int32_t begin, int32_t end)
 {
 	color_sweep *c = (color_sweep *)context;
 	found_lanes found;
 	int32_t from, k;
-	(void)worker;
 	found.hits = 0;
 	found_begin(&found);
 	for (from = begin; from < end; from += BLOCKS_AT_ONCE) {

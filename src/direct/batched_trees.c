@@ -217,11 +217,10 @@ typedef struct batch_loop {
 } batch_loop;
 
 /* Batches share no movable body. */
-static void batch_range(void *context, int32_t begin, int32_t end, int32_t worker)
+static void batch_range(void *context, int32_t begin, int32_t end)
 {
 	batch_loop *loop = (batch_loop *)context;
 	int32_t k;
-	(void)worker;
 	for (k = begin; k < end; ++k)
 		loop->run(&loop->batches[k], &loop->pass);
 }

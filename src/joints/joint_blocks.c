@@ -392,12 +392,11 @@ typedef struct color_pass {
 	int32_t small; /* 1: blocks of small islands alone */
 } color_pass;
 
-static void color_pass_run(void *context, int32_t begin, int32_t end, int32_t worker)
+static void color_pass_run(void *context, int32_t begin, int32_t end)
 {
 	const color_pass *c = (const color_pass *)context;
 	cni_joint_block *blocks = cni_joint_blocks(c->world);
 	int32_t k;
-	(void)worker;
 	for (k = c->first + begin; k < c->first + end; ++k)
 		if (!c->small || blocks[blocks[k].listed].small)
 			c->run(cni_motions(c->world), cni_starts(c->world), &blocks[blocks[k].listed], &c->pass);
@@ -451,13 +450,12 @@ typedef struct store_loop {
 } store_loop;
 
 /* In the order of the joint constraints, which is nearly that of the records. */
-static void store_range(void *context, int32_t begin, int32_t end, int32_t worker)
+static void store_range(void *context, int32_t begin, int32_t end)
 {
 	store_loop *loop = (store_loop *)context;
 	cn_world *world = loop->world;
 	const cni_joint_constraint *constraints = cni_joint_constraints(world);
 	int32_t k, far = cni_joints_are_far(world);
-	(void)worker;
 	for (k = begin; k < end; ++k) {
 		if (far && k + STORES_AHEAD < end && constraints[k + STORES_AHEAD].lane != CNI_NONE) {
 			const cni_joint_block *next = cni_joint_block_of(world, &constraints[k + STORES_AHEAD]);

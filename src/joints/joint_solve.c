@@ -23,13 +23,12 @@ typedef struct prepare_loop {
 	uint32_t filled, special; /* lanes filled again; 1: some are special, struct cni_lane_setup */
 } prepare_loop;
 
-static void prepare_range(void *context, int32_t begin, int32_t end, int32_t worker)
+static void prepare_range(void *context, int32_t begin, int32_t end)
 {
 	prepare_loop *loop = (prepare_loop *)context;
 	cn_world *world = loop->world;
 	struct cni_lane_setup setup = { { 0.0f, 0.0f, { 0.0f, 0.0f, 1.0f } }, world->joint_lanes.lanes > 0, 0, 0 };
 	int32_t k, ahead = cni_joints_are_far(world) ? PREFETCH_AHEAD : world->awake_joints.count;
-	(void)worker;
 	for (k = begin; k < end; ++k) {
 		if (k + ahead < end)
 			cni_joint_prefetch(cni_joint_at(world, ((const int32_t *)world->awake_joints.data)[k + ahead]));

@@ -487,7 +487,7 @@ CNI_INLINE void record_prefetch(const cn_world *world, int32_t body)
 }
 
 /* Writes only motions and externals of the range. */
-static void check_range(void *context, int32_t begin, int32_t end, int32_t worker)
+static void check_range(void *context, int32_t begin, int32_t end)
 {
 	check_loop *loop = (check_loop *)context;
 	const cn_world *world = loop->world;
@@ -495,7 +495,6 @@ static void check_range(void *context, int32_t begin, int32_t end, int32_t worke
 	const cni_motion *motions = cni_motions(world);
 	cni_external *externals = cni_externals(world);
 	int32_t k, fast, many = world->awake_count > RECORDS_MANY;
-	(void)worker;
 	for (k = begin + 1; k <= end; ++k) {
 		if (many && k + RECORDS_AHEAD <= end)
 			record_prefetch(world, ids[k + RECORDS_AHEAD]);

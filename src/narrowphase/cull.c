@@ -46,11 +46,10 @@ static cni_cull_body cull_body_make(const cni_body *b, float dt)
 	return s;
 }
 
-static void bodies_range(void *context, int32_t begin, int32_t end, int32_t worker)
+static void bodies_range(void *context, int32_t begin, int32_t end)
 {
 	const cni_cull_list *list = (const cni_cull_list *)context;
 	int32_t k;
-	(void)worker;
 	for (k = begin; k < end; ++k)
 		list->bodies[k] = cull_body_make(cni_body_at(list->world, k), list->dt);
 }

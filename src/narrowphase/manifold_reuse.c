@@ -84,12 +84,11 @@ typedef struct pose_loop {
 } pose_loop;
 
 /* Gathers the poses densely before the lanes: a body has several lanes, so this pays where most bodies have an anchored one. */
-static void poses_range(void *context, int32_t begin, int32_t end, int32_t worker)
+static void poses_range(void *context, int32_t begin, int32_t end)
 {
 	const pose_loop *loop = (const pose_loop *)context;
 	const cn_world *world = loop->world;
 	int32_t k;
-	(void)worker;
 	for (k = begin + 1; k <= end; ++k) {
 		const cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
 		cni_reuse_pose *p = &loop->poses[k];
@@ -197,11 +196,10 @@ static uint32_t block_reuse(const reuse_loop *loop, int32_t block)
 }
 
 /* Blocks share bodies; of those only the flag CNI_BODY_AT_STATIC is written. */
-static void reuse_range(void *context, int32_t begin, int32_t end, int32_t worker)
+static void reuse_range(void *context, int32_t begin, int32_t end)
 {
 	const reuse_loop *loop = (const reuse_loop *)context;
 	int32_t k;
-	(void)worker;
 	for (k = begin; k < end; ++k) {
 		if (loop->world->awake_count >= CNI_PREFETCH_BODIES)
 			blocks_prefetch(loop, k + 1);

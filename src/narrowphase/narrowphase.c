@@ -380,7 +380,7 @@ static int32_t range_begin(const cni_cull_list *list, int32_t group)
 }
 
 /* Groups begin to end - 1. Writes only contacts and lanes of the range, marks of bodies, and the range's changes and manifolds. */
-static void collide_range(void *context, int32_t begin, int32_t end, int32_t worker)
+static void collide_range(void *context, int32_t begin, int32_t end)
 {
 	collide_loop *loop = (collide_loop *)context;
 	cn_world *world = loop->list.world;
@@ -388,7 +388,6 @@ static void collide_range(void *context, int32_t begin, int32_t end, int32_t wor
 	int32_t k, count;
 	cni_cull cull;
 	window w;
-	(void)worker;
 	window_init(&w, world, 0);
 	w.store = &loop->store;
 	w.prefetches = loop->list.prefetches;

@@ -141,11 +141,10 @@ static void record_prefetch(const rest *r, int32_t k)
 }
 
 /* Marks islands at their first slow body that does not rest; such bodies without an island are dropped from the list: their index becomes 0. */
-static void rests_range(void *context, int32_t begin, int32_t end, int32_t worker)
+static void rests_range(void *context, int32_t begin, int32_t end)
 {
 	const rest *r = (const rest *)context;
 	int32_t n;
-	(void)worker;
 	for (n = begin; n < end; ++n) {
 		int32_t island = cni_awake_island_number(r->world, r->slow[n]);
 		if (n + RECORDS_AHEAD < end)

@@ -218,12 +218,11 @@ CNI_INLINE void boxes_prefetch(const cn_world *world, int32_t begin, uint64_t bo
 	}
 }
 
-static void pose_range(void *context, int32_t begin, int32_t end, int32_t worker)
+static void pose_range(void *context, int32_t begin, int32_t end)
 {
 	pose_loop *loop = (pose_loop *)context;
 	uint32_t rested = 0;
 	int32_t first, last, k;
-	(void)worker;
 	for (first = begin + 1; first <= end; first = last) {
 		uint64_t no_room;
 		last = cni_min_i(first + BODIES_NEAR, end + 1);
@@ -266,7 +265,7 @@ int32_t cni_stage_finalize(cn_world *world, const cni_solve *s)
 		cni_parallel_for(world, world->awake_count - 1, BODIES_A_RANGE, pose_range, &loop);
 		boxes_tell(world, loop.set);
 	} else {
-		pose_range(&loop, 0, world->awake_count - 1, 0);
+		pose_range(&loop, 0, world->awake_count - 1);
 	}
 	cni_arena_pop(&world->arena, loop.set);
 	world->broadphase_ops->settle(world->broadphase);

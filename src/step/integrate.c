@@ -137,14 +137,13 @@ CNI_INLINE cni_body *body_external_make(const cn_world *world, int32_t k, int32_
 	return b;
 }
 
-static void external_range(void *context, int32_t begin, int32_t end, int32_t worker)
+static void external_range(void *context, int32_t begin, int32_t end)
 {
 	const cni_body_pass *pass = (const cni_body_pass *)context;
 	const cn_world *world = pass->world;
 	cni_motion *motions = cni_motions(world);
 	cni_external *externals = cni_externals(world);
 	int32_t *islands = world->awake_islands, in_areas = cni_has_areas(world), k;
-	(void)worker;
 	for (k = begin + 1; k <= end; ++k) {
 		const cni_body *b = body_external_make(world, k, in_areas);
 		if (islands != NULL)
@@ -292,12 +291,11 @@ const cni_body_kernel *cni_body_kernel_choose(void)
 	return CNI_ON(BODY_KERNELS) ? CNI_WIDEST(NULL, &cni_body_kernel_4, &cni_body_kernel_8) : NULL;
 }
 
-static void velocity_range(void *context, int32_t begin, int32_t end, int32_t worker)
+static void velocity_range(void *context, int32_t begin, int32_t end)
 {
 	const cni_body_pass *pass = (const cni_body_pass *)context;
 	const cni_body_kernel *kernel = pass->s->body_kernel;
 	int32_t k = kernel == NULL ? begin + 1 : kernel->velocities(pass, begin + 1, end + 1);
-	(void)worker;
 	for (; k <= end; ++k)
 		velocity_step(pass->world, k, pass->h, pass->first);
 }
@@ -307,12 +305,11 @@ void cni_integrate_velocities(cn_world *world, const cni_solve *s, int32_t subst
 	bodies_run(s->team, BODIES_A_RANGE, velocity_range, world, s, substep);
 }
 
-static void position_range(void *context, int32_t begin, int32_t end, int32_t worker)
+static void position_range(void *context, int32_t begin, int32_t end)
 {
 	const cni_body_pass *pass = (const cni_body_pass *)context;
 	const cni_body_kernel *kernel = pass->s->body_kernel;
 	int32_t k = kernel == NULL ? begin + 1 : kernel->positions(pass, begin + 1, end + 1);
-	(void)worker;
 	for (; k <= end; ++k)
 		position_step(pass->world, k, pass->h);
 }
@@ -375,12 +372,11 @@ void cni_moves_clamp(cn_world *world, const cni_solve *s)
 	moves_clamp(&pass, 1, world->awake_count);
 }
 
-static void finish_range(void *context, int32_t begin, int32_t end, int32_t worker)
+static void finish_range(void *context, int32_t begin, int32_t end)
 {
 	const cni_body_pass *pass = (const cni_body_pass *)context;
 	const cni_body_kernel *kernel = pass->s->body_kernel;
 	int32_t k = kernel == NULL ? begin + 1 : kernel->finish(pass, begin + 1, end + 1);
-	(void)worker;
 	for (; k <= end; ++k)
 		position_finish(pass->world, k, pass->h);
 	moves_clamp(pass, begin + 1, end + 1);

@@ -1,5 +1,5 @@
 /*
- * test/base/threads_test.c - teams of workers: every item once, workers told apart, loops one after the other, with threads
+ * test/base/threads_test.c - teams of workers: every item once, loops one after the other, with threads
  * of their own and with the user's tasks.
  */
 #include "base/tasks.h"
@@ -35,17 +35,16 @@ typedef struct loop {
 	int32_t min_range;
 	int32_t item_count;
 	int32_t times[ITEMS];          /* how often each item was run */
-	int32_t in_use[CN_WORKERS_MAX]; /* by workers themselves: no two of one number run at once */
 	int32_t wrong;                 /* calls that break a promise */
 	int32_t busy;                  /* additions an item */
 	float sums[ITEMS];
 } loop;
 
-static void loop_range(void *context, int32_t begin, int32_t end, int32_t worker)
+static void loop_range(void *context, int32_t begin, int32_t end)
 {
 	loop *l = context;
 	int32_t k, n;
-	if (worker < 0 || worker >= cni_team_workers(l->team) || begin >= end || (end - begin < l->min_range && end - begin < l->item_count) || l->in_use[worker]++ != 0) {
+	if (begin >= end || (end - begin < l->min_range && end - begin < l->item_count)) {
 		l->wrong = 1;
 		return;
 	}
@@ -54,7 +53,6 @@ static void loop_range(void *context, int32_t begin, int32_t end, int32_t worker
 		for (n = 0; n < l->busy; ++n)
 			l->sums[k] += 1.0f;
 	}
-	--l->in_use[worker];
 }
 
 static void check_loop(loop *l, int32_t item_count, int32_t min_range)
@@ -118,13 +116,12 @@ typedef struct chain {
 	int32_t step;
 } chain;
 
-static void chain_range(void *context, int32_t begin, int32_t end, int32_t worker)
+static void chain_range(void *context, int32_t begin, int32_t end)
 {
 	chain *c = context;
 	const uint32_t *from = c->values[c->step & 1];
 	uint32_t *to = c->values[~c->step & 1];
 	int32_t k, far = 1 + c->step * 977 % (ITEMS - 1);
-	(void)worker;
 	for (k = begin; k < end; ++k)
 		to[k] = (from[k] ^ from[(k + far) % ITEMS] >> 3) * 2654435761u + 1u;
 }

@@ -74,10 +74,10 @@ typedef struct shared_loop {
 	int32_t items;
 } shared_loop;
 
-static double chunk_run(const shared_loop *l, int32_t chunk, int32_t chunks, int32_t worker)
+static double chunk_run(const shared_loop *l, int32_t chunk, int32_t chunks)
 {
 	double from = passing_ns(), took;
-	l->fn(l->context, (int32_t)((int64_t)l->items * chunk / chunks), (int32_t)((int64_t)l->items * (chunk + 1) / chunks), worker);
+	l->fn(l->context, (int32_t)((int64_t)l->items * chunk / chunks), (int32_t)((int64_t)l->items * (chunk + 1) / chunks));
 	took = passing_ns() - from - reading_ns();
 	return took > 0.0 ? took : 0.0;
 }
@@ -136,7 +136,7 @@ static double chunks_run(seats *s, int32_t chunks, const shared_loop *l, double 
 			continue;
 		}
 		chunk = s->next[seat]++;
-		took = uniform_ns >= 0.0 ? uniform_ns : chunk_run(l, chunk, chunks, worker);
+		took = uniform_ns >= 0.0 ? uniform_ns : chunk_run(l, chunk, chunks);
 		s->free_ns[worker] += took;
 		end_ns = s->free_ns[worker] > end_ns ? s->free_ns[worker] : end_ns;
 		--left;
