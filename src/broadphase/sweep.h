@@ -189,12 +189,6 @@ static inline int32_t cni_sweep_walk_next(cni_sweep_walk *walk)
 /* Do a sixth or more of the tile's entries change, and not only one or two? Then a running pass handles it as a whole. */
 static inline int32_t cni_sweep_many_touched(const cni_sweep_tile *tile) { return tile->touched >= 3 && 6 * tile->touched >= tile->count; }
 
-/* The old box in the form of the overlap tests: cni_no_box for an empty box. */
-static inline cni_aabb cni_sweep_old(const cni_proxy *proxy)
-{
-	return proxy->old.x0 <= proxy->old.x1 ? proxy->old : cni_no_box();
-}
-
 /* Floor, clamped: all cells beyond 2^30 are one cell; NaN goes to one end. */
 static inline int32_t cni_sweep_floor(float x)
 {

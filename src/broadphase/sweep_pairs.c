@@ -99,10 +99,8 @@ static void gather_previous(const cni_sweep_pass *pass, int32_t dense)
 	int32_t k;
 	if (tile->previous == CNI_NONE)
 		return;
-	for (k = 0; k < tile->count; ++k) {
-		cni_aabb old = cni_sweep_old(cni_sweep_proxy(pass->sweep, rows.id[k]));
-		cni_sweep_box_set(&olds, k, &old);
-	}
+	for (k = 0; k < tile->count; ++k)
+		cni_sweep_box_set(&olds, k, &cni_sweep_proxy(pass->sweep, rows.id[k])->old);
 }
 
 /* Takes scratch for old boxes; without it there are no dense tiles. */

@@ -185,12 +185,6 @@ void cni_sweep_search_tile(cni_sweep_pass *pass, int32_t tile)
 
 /* ---- single entries ---- */
 
-/* 1 when the boxes of two proxies overlapped at the last update. */
-static int32_t overlapped(const cni_proxy *a, const cni_proxy *b)
-{
-	return a->old.x0 <= a->old.x1 && b->old.x0 <= b->old.x1 && cni_aabb_overlap(&a->old, &b->old);
-}
-
 /* Tests a moved entry against a tile that holds other single moved entries. */
 static void search_touched(cni_sweep_pass *pass, const cni_sweep_probe *q, const cni_sweep_view *v)
 {
@@ -200,7 +194,7 @@ static void search_touched(cni_sweep_pass *pass, const cni_sweep_probe *q, const
 		int32_t id = v->now.id[k];
 		if (!((v->now.x1[k] >= q->now.x0) & (v->now.y0[k] <= q->now.y1) & (v->now.y1[k] >= q->now.y0)) || id == q->id)
 			continue;
-		if (cni_sweep_is_moved(pass, id) ? id > q->id && !overlapped(proxy, cni_sweep_proxy(pass->sweep, id)) : entry_is_new(q, v, k))
+		if (cni_sweep_is_moved(pass, id) ? id > q->id && !cni_aabb_overlap(&proxy->old, &cni_sweep_proxy(pass->sweep, id)->old) : entry_is_new(q, v, k))
 			pair_found(pass, q->id, id);
 	}
 }
@@ -209,7 +203,7 @@ void cni_sweep_search_entry(cni_sweep_pass *pass, int32_t id)
 {
 	const cni_sweep *sweep = pass->sweep;
 	const cni_proxy *proxy = cni_sweep_proxy(sweep, id);
-	cni_sweep_probe q = { proxy->fat, cni_sweep_old(proxy), id, 0 };
+	cni_sweep_probe q = { proxy->fat, proxy->old, id, 0 };
 	cni_sweep_cursor cursor;
 	int32_t tile;
 	cni_sweep_cursor_start(sweep, &cursor, &q.now);
@@ -231,7 +225,7 @@ static void loose_candidate(cni_sweep_pass *pass, int32_t id, int32_t other)
 	const cni_proxy *b = cni_sweep_proxy(pass->sweep, other);
 	if (!cni_sweep_is_moved(pass, id) && !cni_sweep_is_moved(pass, other))
 		return;
-	if (cni_aabb_overlap(&a->fat, &b->fat) && !overlapped(a, b))
+	if (cni_aabb_overlap(&a->fat, &b->fat) && !cni_aabb_overlap(&a->old, &b->old))
 		pair_found(pass, id, other);
 }
 

@@ -16,7 +16,6 @@
  * Reads joint constraints, motion; writes their rows and `active_row`, nodes' third rows, motion velocities.
  */
 #include "direct/direct_system.h"
-#include "model/tuning.h"
 
 /* Target speed of the row; for a limit, the least speed. Limits push no faster than overlaps: joints of figures under a slab would stretch
    by a sixth more. */

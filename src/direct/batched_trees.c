@@ -13,7 +13,6 @@
  */
 #include "base/cpu.h"
 #include "direct/batched_trees.h"
-#include "model/tuning.h"
 
 #include <string.h>
 

@@ -4,7 +4,6 @@
  * Reads joint constraints, motion and inverse masses; writes nodes, their rigid rows' impulses, motion velocities.
  */
 #include "direct/direct_system.h"
-#include "model/tuning.h"
 
 void cni_direct_motions_save(const cn_world *world, const cni_sparse *sparse, const cni_component *c, int32_t restore)
 {

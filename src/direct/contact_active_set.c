@@ -14,7 +14,6 @@
  */
 #include "direct/direct_contact.h"
 #include "direct/direct_system.h"
-#include "model/tuning.h"
 
 #include <string.h>
 

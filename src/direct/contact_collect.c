@@ -6,7 +6,6 @@
 #include "contacts/contacts.h"
 #include "direct/direct.h"
 #include "direct/direct_contact.h"
-#include "model/tuning.h"
 
 #include <string.h>
 

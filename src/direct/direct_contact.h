@@ -7,7 +7,6 @@
 
 #include "model/solve.h"
 #include "linear/sparse.h"
-#include "model/tuning.h"
 
 /* Most contacts that are solved directly in a step of CN_SOLVER_AUTO, and most work of a system a node of it. */
 #define CNI_DIRECT_CONTACT_MOST 512

@@ -12,7 +12,6 @@
 #include "contacts/contacts.h"
 #include "direct/direct_contact.h"
 #include "direct/direct_system.h"
-#include "model/tuning.h"
 
 #include <string.h>
 

@@ -7,7 +7,6 @@
 
 #include "direct/direct.h"
 #include "joints/joint_constraint.h"
-#include "model/tuning.h"
 
 /* ---- components of joints that are solved directly: direct/component.c ---- */
 

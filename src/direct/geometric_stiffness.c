@@ -13,7 +13,6 @@
  * Reads joint constraints, motion, the sparse system's turn; writes its pull and the third rows of its nodes.
  */
 #include "direct/direct_system.h"
-#include "model/tuning.h"
 
 static void pulls_clear(cni_sparse *sparse, const cni_component *c)
 {

@@ -14,7 +14,6 @@
 #include "contacts/contacts.h"
 #include "direct/batched_trees.h"
 #include "direct/direct_contact.h"
-#include "model/tuning.h"
 
 /* Most rounds of contacts of a component in a substep: an impact travels through a tree joint by joint. */
 static int32_t rounds_of(const cni_component *c)

@@ -36,7 +36,6 @@
 #include "direct/direct.h"
 #include "direct/direct_contact.h"
 #include "direct/rattle.h"
-#include "model/tuning.h"
 
 #include <string.h>
 

@@ -5,7 +5,6 @@
  * Reads motion, start, externals, joint constraints; writes motion velocities and the account.
  */
 #include "direct/rattle.h"
-#include "model/tuning.h"
 
 float cni_rattle_closing_speed(const rattle_step *g)
 {

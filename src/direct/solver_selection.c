@@ -32,7 +32,6 @@
 #include "contacts/deep_lanes.h"
 #include "direct/direct_contact.h"
 #include "model/solve.h"
-#include "model/tuning.h"
 
 #define ISLANDS_MOST 64        /* solved directly at the same time, of CN_SOLVER_AUTO */
 #define BLOCKS_AT_ONCE 8       /* whose memory is asked for */

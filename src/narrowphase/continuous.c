@@ -23,7 +23,6 @@
 #include "narrowphase/narrowphase.h"
 #include "narrowphase/touch.h"
 #include "collision/distance.h"
-#include "model/tuning.h"
 
 #include <float.h>
 #include <string.h>

@@ -19,7 +19,6 @@
 #if CNI_HAS_WIDE_4
 #define CNI_WIDTH 4
 #include "base/wide.h"
-#include "model/tuning.h"
 #endif
 
 /* Shorter lists stay in the cache. */

@@ -8,7 +8,6 @@
  * Reads lanes, bodies; writes CNI_EXTERNAL_DEFERRED.
  */
 #include "narrowphase/touch.h"
-#include "model/tuning.h"
 
 /* Overlap at the beginning of the step. Rows of missing points are 0. */
 static float lane_depth(const cni_contact_block *k, int32_t l)

@@ -11,7 +11,6 @@
  * proxies that miss a pair is touched, until nothing is left out; until then their bodies do not fall asleep.
  */
 #include "narrowphase/narrowphase.h"
-#include "model/solve.h"
 
 #define CROWD_TURNS 16       /* steps until a proxy that misses a pair has its next turn */
 #define CONTACTS_MANY 16     /* of each of two bodies */

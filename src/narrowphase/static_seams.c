@@ -4,7 +4,6 @@
  *
  * Reads proxies, shapes, bodies, the broadphase; writes the seams in geometry records.
  */
-#include "narrowphase/narrowphase.h"
 #include "narrowphase/touch.h"
 #include "collision/seam.h"
 

@@ -7,7 +7,6 @@
  */
 #include "narrowphase/touch.h"
 #include "collision/seam.h"
-#include "model/tuning.h"
 
 #if defined(CNI_DEBUG)
 static int32_t record_is_of_motion(const cn_world *world, const cni_body *b)
