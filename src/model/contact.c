@@ -376,14 +376,14 @@ static int32_t may_need_extra(const cn_world *world, const cni_contact *c)
 	return world->material_mix != NULL;
 }
 
-int32_t cni_contact_begin(cn_world *world, int32_t contact, const cni_manifold *manifold, cni_vec2 gap, const float radius[2])
+int32_t cni_contact_begin(cn_world *world, int32_t contact, const cni_touch_result *touch)
 {
 	cni_contact *c = cni_contact_at(world, contact);
 	float approach;
 	if (!cni_lane_reserve(world, world->touching_count + 1) || !cni_island_reserve(world, 1) || (may_need_extra(world, c) && !cni_lane_reserve_extra(world)))
 		return 0;
 	++world->touching_count;
-	approach = approach_now(world, c, manifold);
+	approach = approach_now(world, c, &touch->manifold);
 	contact_join_islands(world, c);
 	cni_contact_leave_apart_list(world, contact);
 	cni_lane_take(world, contact);
@@ -392,7 +392,7 @@ int32_t cni_contact_begin(cn_world *world, int32_t contact, const cni_manifold *
 	c->id[0] = c->id[1] = 0;
 	cni_block_anchor_at(world, c->slot / CNI_LANES)->of.fresh.approach[c->slot % CNI_LANES] = approach;
 	cni_lane_set_fresh(world, c->slot);
-	cni_contact_write(world, c, cni_body_at(world, c->body[0]), cni_body_at(world, c->body[1]), manifold, gap, radius);
+	cni_contact_write(world, c, cni_body_at(world, c->body[0]), cni_body_at(world, c->body[1]), touch);
 	log_or_defer(world, contact, c, CN_EVENT_ENTER, CNI_CONTACT_ENTER_OWED);
 	return 1;
 }

@@ -243,9 +243,16 @@ int32_t cni_contact_destroy(cn_world *world, int32_t contact);
 void cni_contact_destroy_of_body(cn_world *world, int32_t body);
 void cni_contact_destroy_of_shape(cn_world *world, int32_t shape);
 
+/* How a contact's shapes touch. */
+typedef struct cni_touch_result {
+	cni_manifold manifold;
+	cni_vec2 gap;    /* from a's contact point to b's at present, where the contact is still ahead; in a's frame */
+	float radius[2]; /* of the shapes */
+} cni_touch_result;
+
 /* The contact begins to touch: takes a lane, joins islands (waking the sleeping side), logs ENTER. 0: no memory for a lane; the contact
    stays apart. */
-int32_t cni_contact_begin(cn_world *world, int32_t contact, const cni_manifold *manifold, cni_vec2 gap, const float radius[2]);
+int32_t cni_contact_begin(cn_world *world, int32_t contact, const cni_touch_result *touch);
 /* Stops touching: frees the lane, counts the islands' loss, logs LEAVE. 0: no memory for the log; the contact then keeps an empty lane. */
 int32_t cni_contact_end(cn_world *world, int32_t contact);
 /* Sets the CN_EVENT_ kinds that the contact reports. After cni_contact_reserve_end. */
@@ -270,9 +277,8 @@ int32_t cni_lane_reserve_extra(cn_world *world);
 void cni_contact_send_deferred_events(cn_world *world, int32_t contact, uint32_t owed, int32_t kind);
 /* Sets whether a sensor pair overlaps, and logs the change. 0: no memory for the log; nothing changes. */
 int32_t cni_contact_update_sensor(cn_world *world, int32_t contact, int32_t overlaps);
-/* Writes a manifold to the contact's lane, keeping the impulses of points with equal ids. gap: offset of b's contact point from a's at
-   the beginning of the step, in a's frame; (0, 0) except for predicted contacts. a, b, radius: the contact's bodies and shape radii. */
-void cni_contact_write(cn_world *world, cni_contact *c, const cni_body *a, const cni_body *b, const cni_manifold *manifold, cni_vec2 gap, const float radius[2]);
+/* Writes a manifold to the contact's lane, keeping the impulses of points with equal ids. a, b: the contact's bodies. */
+void cni_contact_write(cn_world *world, cni_contact *c, const cni_body *a, const cni_body *b, const cni_touch_result *touch);
 /* Writes an empty manifold: the lane stays without effect. */
 void cni_contact_write_empty(cn_world *world, int32_t contact);
 

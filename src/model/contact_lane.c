@@ -231,18 +231,18 @@ static int32_t normal_lags(const cn_world *world, const cni_contact_block *block
 	return cni_max(cni_abs(motions[block->ia[lane]].w), cni_abs(motions[block->ib[lane]].w)) <= CNI_NORMAL_LAG_SPIN;
 }
 
-void cni_contact_write(cn_world *world, cni_contact *c, const cni_body *a, const cni_body *b, const cni_manifold *manifold, cni_vec2 gap, const float radius[2])
+void cni_contact_write(cn_world *world, cni_contact *c, const cni_body *a, const cni_body *b, const cni_touch_result *touch)
 {
+	const cni_manifold *manifold = &touch->manifold;
 	uint32_t slot = (uint32_t)c->slot, lane = slot % CNI_LANES;
 	cni_contact_block *block = cni_block_at(world, (int32_t)(slot / CNI_LANES));
 	cni_block_info *info = cni_block_info_at(world, (int32_t)(slot / CNI_LANES));
 	int32_t flipped = (c->flags & CNI_CONTACT_FLIPPED) != 0, kept = 0, k;
-	cni_vec2 normal = cni_rotate(a->q, manifold->normal);
+	cni_vec2 normal = cni_rotate(a->q, manifold->normal), gap = cni_rotate(a->q, touch->gap);
 	lane_frame f = frame_make(a, b, flipped, normal);
 	lane_mass m = lane_mass_of(world, &f);
-	float radius_a = radius[flipped], fa = 0.0f, fb, ahead, dn, dt;
+	float radius_a = touch->radius[flipped], fa = 0.0f, fb, ahead, dn, dt;
 	const old_point first = old_point_take(c, block, 0, lane), second = old_point_take(c, block, 1, lane), none = { 0, 0.0f, 0.0f };
-	gap = cni_rotate(a->q, gap);
 	ahead = cni_dot(gap, normal);
 	f.d = flipped ? cni_add(f.d, gap) : cni_sub(f.d, gap);
 	dn = cni_dot(f.d, f.n);
@@ -251,7 +251,7 @@ void cni_contact_write(cn_world *world, cni_contact *c, const cni_body *a, const
 		block->nx[lane] = f.n.x;
 		block->ny[lane] = f.n.y;
 	}
-	block->dn[lane] = dn - radius_a - radius[1 - flipped];
+	block->dn[lane] = dn - radius_a - touch->radius[1 - flipped];
 	block->dt[lane] = dt;
 	for (k = 0; k < manifold->count; ++k) {
 		const cni_manifold_point *point = &manifold->points[k];

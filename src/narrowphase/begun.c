@@ -26,7 +26,7 @@ void cni_begun_open(cni_begun_store *store, cn_world *world, int32_t contacts, i
 	store->first_new = created > 0 && created <= contacts / NEW_PART ? (contacts - created) / CNI_BEGUN_GROUP : groups;
 	store->group = store->taken = 0;
 	room = room_before(store, groups);
-	store->kept = (cni_begun *)cni_arena_push(&world->arena, sizeof(cni_begun) * (uint64_t)room + sizeof(uint16_t) * (uint64_t)groups);
+	store->kept = (cni_touch_result *)cni_arena_push(&world->arena, sizeof(cni_touch_result) * (uint64_t)room + sizeof(uint16_t) * (uint64_t)groups);
 	if (store->kept == NULL)
 		return;
 	store->counts = (uint16_t *)(store->kept + room);
@@ -38,24 +38,15 @@ void cni_begun_close(cni_begun_store *store, cn_world *world)
 	cni_arena_pop(&world->arena, store->kept);
 }
 
-static cni_begun begun_of(const cni_touch *t)
-{
-	cni_begun b = { t->manifold, t->gap, { t->radius[0], t->radius[1] } };
-	return b;
-}
-
-cni_begun cni_begun_again(const cn_world *world, int32_t contact, float dt)
+cni_touch_result cni_begun_again(const cn_world *world, int32_t contact, float dt)
 {
 	cni_touch_pair pair = cni_touch_pair_of(world, cni_contact_at(world, contact), contact);
 	cni_touch t;
-	t.manifold.count = 0;
-	t.gap = cni_v(0.0f, 0.0f);
-	t.radius[0] = t.radius[1] = 0.0f;
 	if (cni_touch_begin(world, &pair, dt, &t)) {
 		cni_touch_collide(&t);
 		cni_touch_finish(world, dt, &t);
 	}
-	return begun_of(&t);
+	return t.result;
 }
 
 /* The slot of a contact that does not touch is its place in the list. */
@@ -64,11 +55,11 @@ int32_t cni_begun_keep(cni_begun_store *store, const cni_touch *t)
 	int32_t group = t->contact->slot / CNI_BEGUN_GROUP;
 	if (store->kept == NULL || store->counts[group] == (group < store->first_new ? store->room : CNI_BEGUN_GROUP))
 		return 0;
-	store->kept[room_before(store, group) + store->counts[group]++] = begun_of(t);
+	store->kept[room_before(store, group) + store->counts[group]++] = t->result;
 	return 1;
 }
 
-const cni_begun *cni_begun_take(cni_begun_store *store)
+const cni_touch_result *cni_begun_take(cni_begun_store *store)
 {
 	while (store->taken == store->counts[store->group]) {
 		++store->group;

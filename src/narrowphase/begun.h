@@ -13,14 +13,8 @@
 /* Contacts in a group. */
 #define CNI_BEGUN_GROUP 256
 
-typedef struct cni_begun {
-	cni_manifold manifold;
-	cni_vec2 gap;
-	float radius[2];
-} cni_begun;
-
 typedef struct cni_begun_store {
-	cni_begun *kept;       /* NULL: no room */
+	cni_touch_result *kept;       /* NULL: no room */
 	uint16_t *counts;      /* of each group */
 	int32_t first_new;     /* the first group with room for all */
 	int32_t room;          /* of each group before it */
@@ -31,10 +25,10 @@ typedef struct cni_begun_store {
 void cni_begun_open(cni_begun_store *store, cn_world *world, int32_t contacts, int32_t created);
 void cni_begun_close(cni_begun_store *store, cn_world *world);
 /* Computes the manifold of a contact again. */
-cni_begun cni_begun_again(const cn_world *world, int32_t contact, float dt);
+cni_touch_result cni_begun_again(const cn_world *world, int32_t contact, float dt);
 /* Returns 0 if there is no room. */
 int32_t cni_begun_keep(cni_begun_store *store, const cni_touch *t);
 /* Manifolds are taken in the order of their contacts. */
-const cni_begun *cni_begun_take(cni_begun_store *store);
+const cni_touch_result *cni_begun_take(cni_begun_store *store);
 
 #endif

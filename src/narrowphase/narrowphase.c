@@ -43,8 +43,8 @@ static int32_t shapes_overlap(const cni_touch *t)
 	int32_t k, overlaps = 0;
 	if (CNI_HAS_CHAINS && t->boxes_overlap && t->in.b->type == CN_SHAPE_CHAIN)
 		return cni_distance(cni_geometry_proxy(t->in.a, 0, a), cni_geometry_proxy(t->in.b, t->in.child_b, b), t->in.b_in_a).distance <= 0.0f;
-	for (k = 0; k < t->manifold.count; ++k)
-		overlaps |= t->manifold.points[k].separation <= 0.0f;
+	for (k = 0; k < t->result.manifold.count; ++k)
+		overlaps |= t->result.manifold.points[k].separation <= 0.0f;
 	return overlaps;
 }
 
@@ -73,7 +73,7 @@ static void call_pre_solve(cn_world *world, int32_t contact)
 
 static void write_and_notify(cn_world *world, int32_t contact, const cni_touch *t)
 {
-	cni_contact_write(world, t->contact, t->a, t->b, &t->manifold, t->gap, t->radius);
+	cni_contact_write(world, t->contact, t->a, t->b, &t->result);
 	if (t->contact->flags & CNI_CONTACT_PRE_SOLVE)
 		call_pre_solve(world, contact);
 }
@@ -86,10 +86,10 @@ static int32_t contact_update(cn_world *world, int32_t contact, cni_touch *t)
 	if (c->flags & CNI_CONTACT_SENSOR)
 		return sensor_update(t);
 	if (c->flags & CNI_CONTACT_ONE_WAY)
-		cni_touch_filter_one_way(world, c, &t->manifold);
-	if (t->manifold.count > 0 && !touching)
+		cni_touch_filter_one_way(world, c, &t->result.manifold);
+	if (t->result.manifold.count > 0 && !touching)
 		return CHANGE_BEGIN;
-	if (t->manifold.count > 0)
+	if (t->result.manifold.count > 0)
 		write_and_notify(world, contact, t);
 	else if (touching || !t->boxes_overlap)
 		return CHANGE_END;
@@ -102,11 +102,11 @@ static float motion_time(const cni_contact *c, float dt)
 	return c->flags & CNI_CONTACT_SENSOR ? 0.0f : dt;
 }
 
-static void change_begin(cn_world *world, int32_t contact, const cni_begun *b)
+static void change_begin(cn_world *world, int32_t contact, const cni_touch_result *b)
 {
 	if (b->manifold.count == 0)
 		return;
-	if (cni_contact_begin(world, contact, &b->manifold, b->gap, b->radius)) {
+	if (cni_contact_begin(world, contact, b)) {
 		if (cni_contact_at(world, contact)->flags & CNI_CONTACT_PRE_SOLVE)
 			call_pre_solve(world, contact);
 		return;
@@ -145,7 +145,7 @@ static void change_apply(cn_world *world, int32_t contact, int32_t change, cni_b
 	if (change == CHANGE_BEGIN_KEPT) {
 		change_begin(world, contact, cni_begun_take(store));
 	} else if (change == CHANGE_BEGIN) {
-		cni_begun again = cni_begun_again(world, contact, dt);
+		cni_touch_result again = cni_begun_again(world, contact, dt);
 		change_begin(world, contact, &again);
 	}
 	if (change != CHANGE_END)
@@ -277,7 +277,7 @@ static int32_t window_finish(cn_world *world, window *w, int32_t k, float dt)
 	if (w->column[k] == COLUMN_NONE)
 		cni_touch_collide(t);
 	else if (has_kernel(w) && w->column[k] >= 0)
-		cni_batch_read(&w->batch, w->column[k], &t->in, &t->contact->cache, &t->manifold);
+		cni_batch_read(&w->batch, w->column[k], &t->in, &t->contact->cache, &t->result.manifold);
 	cni_touch_finish(world, motion_time(t->contact, dt), t);
 	change = contact_update(world, w->pair[k].index, t);
 	if (change == CHANGE_BEGIN && w->store != NULL && !(t->contact->flags & CNI_CONTACT_SENSOR) && cni_begun_keep(w->store, t))

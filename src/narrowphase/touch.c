@@ -150,7 +150,7 @@ static void meet(const cn_world *world, const cni_body *a, const cni_body *b, co
 	cni_toi_result hit = cni_toi(&toi);
 	int32_t k;
 	if (hit.state == CNI_TOI_SEPARATED)
-		out->manifold.count = 0;
+		out->result.manifold.count = 0;
 	if (hit.state != CNI_TOI_HIT)
 		return;
 	xa = cni_path_at(&path_a, hit.fraction);
@@ -158,19 +158,19 @@ static void meet(const cn_world *world, const cni_body *a, const cni_body *b, co
 	in.b_in_a.q = cni_rot_between(xa.q, xb.q);
 	in.b_in_a.t = cni_untransform_point(xa, xb.t);
 	in.margin = world->settings.contact_margin;
-	cni_manifold_function(in.a->type, in.b->type)(&in, &cache, &out->manifold);
-	mend_seams(world, &in, cni_mul((1.0f - hit.fraction) * dt, out->motion.v), &out->manifold);
-	if (out->manifold.count == 0)
+	cni_manifold_function(in.a->type, in.b->type)(&in, &cache, &out->result.manifold);
+	mend_seams(world, &in, cni_mul((1.0f - hit.fraction) * dt, out->motion.v), &out->result.manifold);
+	if (out->result.manifold.count == 0)
 		return;
 	a_now = cni_path_at(&path_a, 0.0f);
 	b_now = cni_path_at(&path_b, 0.0f);
-	out->manifold.normal = cni_unrotate(a_now.q, cni_rotate(xa.q, out->manifold.normal));
-	for (k = out->manifold.count - 1; k >= 0; --k) { /* the gap of the first point stays */
-		cni_manifold_point *p = &out->manifold.points[k];
+	out->result.manifold.normal = cni_unrotate(a_now.q, cni_rotate(xa.q, out->result.manifold.normal));
+	for (k = out->result.manifold.count - 1; k >= 0; --k) { /* the gap of the first point stays */
+		cni_manifold_point *p = &out->result.manifold.points[k];
 		cni_vec2 on_b = cni_untransform_point(in.b_in_a, p->point);
 		cni_vec2 apart = cni_sub(cni_transform_point(b_now, on_b), cni_transform_point(a_now, p->point));
-		out->gap = cni_unrotate(a_now.q, apart);
-		p->separation += cni_dot(out->manifold.normal, out->gap);
+		out->result.gap = cni_unrotate(a_now.q, apart);
+		p->separation += cni_dot(out->result.manifold.normal, out->result.gap);
 	}
 }
 
@@ -204,28 +204,28 @@ int32_t cni_touch_begin(const cn_world *world, const cni_touch_pair *p, float dt
 	out->b = b;
 	CNI_ASSERT(dt == 0.0f || (record_is_of_motion(world, a) && record_is_of_motion(world, b)));
 	out->boxes_overlap = cni_aabb_overlap(&p->proxy[0]->fat, &p->proxy[1]->fat);
-	out->manifold.count = 0;
+	out->result.manifold.count = 0;
 	if (!out->boxes_overlap)
 		return 0;
 	centers = centers_apart(world, p, cni_body_a_to_b(a, b));
 	out->motion = motion_make(a, b, dt);
 	out->in.a = cni_proxy_geometry(&world->blocks, p->proxy[0]);
 	out->in.b = cni_proxy_geometry(&world->blocks, p->proxy[1]);
-	out->radius[0] = out->in.a->radius;
-	out->radius[1] = out->in.b->radius;
+	out->result.radius[0] = out->in.a->radius;
+	out->result.radius[1] = out->in.b->radius;
 	out->in.child_a = cni_proxy_child(p->proxy[0]);
 	out->in.child_b = cni_proxy_child(p->proxy[1]);
 	out->in.b_in_a = cni_body_b_in_a(a, b, centers);
 	out->in.slop = world->settings.slop;
 	out->motion.margin = pair_margin(world, a, b, &out->in, dt);
 	out->in.margin = cni_max(out->motion.margin, out->motion.reach);
-	out->gap = cni_v(0.0f, 0.0f);
+	out->result.gap = cni_v(0.0f, 0.0f);
 	return 1;
 }
 
 void cni_touch_collide(cni_touch *out)
 {
-	cni_manifold_function(out->in.a->type, out->in.b->type)(&out->in, &out->contact->cache, &out->manifold);
+	cni_manifold_function(out->in.a->type, out->in.b->type)(&out->in, &out->contact->cache, &out->result.manifold);
 }
 
 void cni_touch_finish(const cn_world *world, float dt, cni_touch *out)
@@ -234,24 +234,24 @@ void cni_touch_finish(const cn_world *world, float dt, cni_touch *out)
 	const cni_pair_motion *m = &out->motion;
 	float margin = m->margin, nearest, least, sooner, later;
 	cni_vec2 b_center;
-	if (out->manifold.count == 0)
+	if (out->result.manifold.count == 0)
 		return; /* in may be empty */
 	if (may_have_seams(&out->in) && !(out->contact->flags & CNI_CONTACT_SENSOR))
-		mend_seams(world, &out->in, cni_mul(dt, m->v), &out->manifold);
-	if (out->manifold.count == 0)
+		mend_seams(world, &out->in, cni_mul(dt, m->v), &out->result.manifold);
+	if (out->result.manifold.count == 0)
 		return;
 	b_center = cni_transform_point(out->in.b_in_a, b->local_center);
 	least = out->contact->flags & CNI_CONTACT_TOUCHING ? 0.0f : -out->in.slop;
-	later = depth_ahead(&out->manifold, m, a, b_center, least, dt + dt / (float)world->settings.substeps);
+	later = depth_ahead(&out->result.manifold, m, a, b_center, least, dt + dt / (float)world->settings.substeps);
 	if (later > 0.0f && CNI_ON(SPECULATIVE_MISSES)) {
-		sooner = depth_ahead(&out->manifold, m, a, b_center, least, dt);
+		sooner = depth_ahead(&out->result.manifold, m, a, b_center, least, dt);
 		if (shadows_graze(&out->in, m, a, b, sooner, dt))
-			out->manifold.count = 0;
+			out->result.manifold.count = 0;
 	}
-	if (m->reach <= margin || out->manifold.count == 0)
+	if (m->reach <= margin || out->result.manifold.count == 0)
 		return;
-	nearest = drop_unreached(&out->manifold, m, a, b_center, margin, dt);
-	if (CNI_ON(MEETING_POSES) && out->manifold.count > 0 && nearest > 2.0f * world->settings.contact_margin)
+	nearest = drop_unreached(&out->result.manifold, m, a, b_center, margin, dt);
+	if (CNI_ON(MEETING_POSES) && out->result.manifold.count > 0 && nearest > 2.0f * world->settings.contact_margin)
 		meet(world, a, b, &out->in, dt, out);
 }
 

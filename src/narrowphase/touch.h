@@ -36,9 +36,7 @@ typedef struct cni_touch {
 	cni_manifold_input in;
 	cni_pair_motion motion;
 	int32_t boxes_overlap;   /* the fat ones */
-	float radius[2];         /* of the shapes */
-	cni_manifold manifold;
-	cni_vec2 gap;            /* from a's contact point to b's at present, where the contact is still ahead; in a's frame */
+	cni_touch_result result;
 } cni_touch;
 
 static inline cni_touch_pair cni_touch_pair_of(const cn_world *world, cni_contact *c, int32_t index)

@@ -35,8 +35,8 @@ static float overlap_of(const cn_world *world, int32_t contact)
 	if (contact_passes_through(world, &c) || !cni_touch_begin(world, &pair, 0.0f, &touch))
 		return 0.0f;
 	cni_touch_collide(&touch);
-	for (k = 0; k < touch.manifold.count; ++k)
-		deepest = cni_max(deepest, -touch.manifold.points[k].separation);
+	for (k = 0; k < touch.result.manifold.count; ++k)
+		deepest = cni_max(deepest, -touch.result.manifold.points[k].separation);
 	return deepest;
 }
 

@@ -28,14 +28,14 @@ static void round_trip(int32_t created, int32_t every, int32_t *kept, int32_t *k
 	cni_begun_open(&store, world, CONTACTS, created);
 	for (k = 0; k < CONTACTS; k += every) {
 		contact.slot = k;
-		touch.manifold.normal.x = touch.gap.y = touch.radius[1] = (float)k;
+		touch.result.manifold.normal.x = touch.result.gap.y = touch.result.radius[1] = (float)k;
 		if (!cni_begun_keep(&store, &touch))
 			continue;
 		places[(*kept)++] = k;
 		*kept_of_new += k >= CONTACTS - created;
 	}
 	for (k = 0; k < *kept; ++k) {
-		const cni_begun *b = cni_begun_take(&store);
+		const cni_touch_result *b = cni_begun_take(&store);
 		float place = (float)places[k];
 		*wrong += b->manifold.normal.x != place || b->gap.y != place || b->radius[1] != place;
 	}
