@@ -140,7 +140,7 @@ static void sweep_touch(cni_broadphase *broadphase, int32_t id)
 /* The present box becomes the old box, except for proxies that lost a pair: they stay moved, and their old box becomes empty. */
 static void finish_moved(cni_sweep *sweep, int32_t pairs_lost)
 {
-	cni_sweep_walk walk = cni_sweep_walk_bits(sweep, &sweep->moved);
+	cni_sweep_walk walk = cni_sweep_walk_bits(sweep, &sweep->moved, sweep->moved_count);
 	int32_t id, moved = 0;
 	while ((id = cni_sweep_walk_next(&walk)) != CNI_NONE) {
 		cni_proxy *proxy = cni_sweep_proxy(sweep, id);
@@ -251,15 +251,15 @@ static int32_t tiles_hold(const cni_sweep *sweep, int32_t *entries)
 	return tiles == sweep->tile_count && level_entries == *entries;
 }
 
-/* Moved proxies have their flag; only loose proxies may be in no tile. */
+/* Moved proxies have their flag; only loose proxies may be in no tile. Walks whatever the counts of the sets are. */
 static int32_t marks_hold(const cni_sweep *sweep, int32_t entries)
 {
-	cni_sweep_walk walk = cni_sweep_walk_bits(sweep, &sweep->moved);
+	cni_sweep_walk walk = cni_sweep_walk_bits(sweep, &sweep->moved, 1);
 	int32_t id, moved = 0, loose = 0;
 	for (; (id = cni_sweep_walk_next(&walk)) != CNI_NONE; ++moved)
 		if ((cni_sweep_proxy(sweep, id)->flags & (CNI_PROXY_MOVED | CNI_PROXY_AGAIN)) != CNI_PROXY_MOVED)
 			return 0;
-	walk = cni_sweep_walk_bits(sweep, &sweep->loose);
+	walk = cni_sweep_walk_bits(sweep, &sweep->loose, 1);
 	for (; (id = cni_sweep_walk_next(&walk)) != CNI_NONE; ++loose)
 		entries += cni_sweep_proxy(sweep, id)->cell == CNI_NONE;
 	return moved == sweep->moved_count && loose == sweep->loose_count && entries == sweep->count;

@@ -166,9 +166,10 @@ static inline void cni_sweep_entry_set(const cni_sweep_rows *rows, int32_t k, in
 	rows->id[k] = id;
 }
 
-static inline cni_sweep_walk cni_sweep_walk_bits(const cni_sweep *sweep, const cni_array *bits)
+/* count: ids in the set. */
+static inline cni_sweep_walk cni_sweep_walk_bits(const cni_sweep *sweep, const cni_array *bits, int32_t count)
 {
-	cni_sweep_walk walk = { (const uint64_t *)bits->data, 0, -1, cni_bit_words(sweep->id_end) };
+	cni_sweep_walk walk = { (const uint64_t *)bits->data, 0, -1, count > 0 ? cni_bit_words(sweep->id_end) : 0 };
 	return walk;
 }
 

@@ -35,7 +35,7 @@
 
 static void count_moved(cni_sweep_pass *pass)
 {
-	cni_sweep_walk walk = cni_sweep_walk_bits(pass->sweep, &pass->sweep->moved);
+	cni_sweep_walk walk = cni_sweep_walk_bits(pass->sweep, &pass->sweep->moved, pass->sweep->moved_count);
 	int32_t id;
 	while ((id = cni_sweep_walk_next(&walk)) != CNI_NONE) {
 		int32_t cell = cni_sweep_proxy(pass->sweep, id)->cell;
@@ -129,7 +129,7 @@ static int32_t next_single(const cni_sweep_pass *pass, cni_sweep_walk *walk)
 
 static void search_entries(cni_sweep_pass *pass)
 {
-	cni_sweep_walk walk = cni_sweep_walk_bits(pass->sweep, &pass->sweep->moved);
+	cni_sweep_walk walk = cni_sweep_walk_bits(pass->sweep, &pass->sweep->moved, pass->sweep->moved_count);
 	int32_t k;
 	for (k = 0; k < pass->single_count; ++k)
 		cni_sweep_search_entry(pass, next_single(pass, &walk));
@@ -233,7 +233,7 @@ static void jobs_list(const pair_loop *loop, cni_sweep_pass *pass)
 
 static void jobs_fill(const pair_loop *loop, const cni_sweep_pass *pass)
 {
-	cni_sweep_walk walk = cni_sweep_walk_bits(pass->sweep, &pass->sweep->moved);
+	cni_sweep_walk walk = cni_sweep_walk_bits(pass->sweep, &pass->sweep->moved, pass->sweep->moved_count);
 	int32_t job, entries = 0;
 	for (job = 0; job < loop->job_count; ++job) {
 		loop->begins[job] = entries;
@@ -283,23 +283,14 @@ static int32_t find_shared(cni_sweep_pass *pass)
 	return 1;
 }
 
-static void tile_clear_marks(cni_sweep *sweep, int32_t tile)
-{
-	cni_sweep_tile_at(sweep, tile)->touched = 0;
-	cni_sweep_tile_at(sweep, tile)->dense = 0;
-}
-
 /* Clears the marks of the pass; no tile has moved in the array since they were set. */
-static void clear_marks(cni_sweep_pass *pass)
+static void clear_marks(const cni_sweep_pass *pass)
 {
-	cni_sweep_walk walk = cni_sweep_walk_bits(pass->sweep, &pass->sweep->moved);
-	int32_t id, i;
-	for (i = 0; i < pass->touched_count; ++i)
-		tile_clear_marks(pass->sweep, pass->touched[i]);
-	while (pass->touched == NULL && (id = cni_sweep_walk_next(&walk)) != CNI_NONE) {
-		int32_t cell = cni_sweep_proxy(pass->sweep, id)->cell;
-		if (cell != CNI_NONE)
-			tile_clear_marks(pass->sweep, cell);
+	int32_t i, count = pass->touched != NULL ? pass->touched_count : pass->sweep->tiles.count;
+	for (i = 0; i < count; ++i) {
+		cni_sweep_tile *tile = cni_sweep_tile_at(pass->sweep, pass->touched != NULL ? pass->touched[i] : i);
+		tile->touched = 0;
+		tile->dense = 0;
 	}
 }
 

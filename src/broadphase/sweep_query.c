@@ -73,10 +73,8 @@ static int32_t query_tile(const region *r, const cni_sweep_tile *tile)
 
 static void query_loose(const region *r)
 {
-	cni_sweep_walk walk = cni_sweep_walk_bits(r->sweep, &r->sweep->loose);
+	cni_sweep_walk walk = cni_sweep_walk_bits(r->sweep, &r->sweep->loose, r->sweep->loose_count);
 	int32_t id;
-	if (r->sweep->loose_count == 0)
-		return;
 	while ((id = cni_sweep_walk_next(&walk)) != CNI_NONE)
 		if (cni_aabb_overlap(&cni_sweep_proxy(r->sweep, id)->fat, &r->box) && r->visit(r->context, id, 1.0f) == 0.0f)
 			return;
@@ -199,10 +197,8 @@ static int32_t ray_level(ray_pass *r, int32_t l)
 
 static void ray_loose(ray_pass *r)
 {
-	cni_sweep_walk walk = cni_sweep_walk_bits(r->sweep, &r->sweep->loose);
+	cni_sweep_walk walk = cni_sweep_walk_bits(r->sweep, &r->sweep->loose, r->sweep->loose_count);
 	int32_t id;
-	if (r->sweep->loose_count == 0)
-		return;
 	while ((id = cni_sweep_walk_next(&walk)) != CNI_NONE)
 		if (cni_ray_crosses(&r->ray, &cni_sweep_proxy(r->sweep, id)->fat) && !ray_visit(r, id))
 			return;

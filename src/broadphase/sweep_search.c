@@ -247,10 +247,8 @@ static void search_one_loose(cni_sweep_pass *pass, int32_t id, cni_sweep_walk ot
 
 void cni_sweep_search_loose(cni_sweep_pass *pass)
 {
-	cni_sweep_walk walk = cni_sweep_walk_bits(pass->sweep, &pass->sweep->loose);
+	cni_sweep_walk walk = cni_sweep_walk_bits(pass->sweep, &pass->sweep->loose, pass->sweep->loose_count);
 	int32_t id;
-	if (pass->sweep->loose_count == 0)
-		return;
 	while ((id = cni_sweep_walk_next(&walk)) != CNI_NONE)
 		search_one_loose(pass, id, walk);
 }

@@ -106,7 +106,7 @@ static int32_t extent_percentile(const extent_counts *counts)
 static int32_t measure_exponent(const cni_sweep *sweep)
 {
 	extent_counts counts;
-	cni_sweep_walk walk = cni_sweep_walk_bits(sweep, &sweep->loose);
+	cni_sweep_walk walk = cni_sweep_walk_bits(sweep, &sweep->loose, sweep->loose_count);
 	int32_t tile, id, k;
 	memset(&counts, 0, sizeof(counts));
 	for (tile = 0; tile < sweep->tiles.count; ++tile) {
@@ -239,7 +239,7 @@ static void settle_proxy(cni_sweep *sweep, int32_t id, int32_t home)
 
 static void settle_singly(cni_sweep *sweep)
 {
-	cni_sweep_walk walk = cni_sweep_walk_bits(sweep, &sweep->loose);
+	cni_sweep_walk walk = cni_sweep_walk_bits(sweep, &sweep->loose, sweep->loose_count);
 	int32_t id;
 	while ((id = cni_sweep_walk_next(&walk)) != CNI_NONE) {
 		int32_t before = cni_sweep_proxy(sweep, id)->cell;
@@ -273,7 +273,7 @@ static void touch(settle_pass *pass, int32_t tile)
 static void homes_range(void *context, int32_t begin, int32_t end)
 {
 	const settle_pass *pass = (const settle_pass *)context;
-	cni_sweep_walk walk = cni_sweep_walk_bits(pass->sweep, &pass->sweep->loose);
+	cni_sweep_walk walk = cni_sweep_walk_bits(pass->sweep, &pass->sweep->loose, pass->sweep->loose_count);
 	int32_t id, w, i = 0;
 	cell at;
 	for (w = 0; w < begin; ++w)
@@ -288,7 +288,7 @@ static void homes_range(void *context, int32_t begin, int32_t end)
 static void find_homes(settle_pass *pass)
 {
 	cni_sweep *sweep = pass->sweep;
-	cni_sweep_walk walk = cni_sweep_walk_bits(sweep, &sweep->loose);
+	cni_sweep_walk walk = cni_sweep_walk_bits(sweep, &sweep->loose, sweep->loose_count);
 	int32_t id, i = 0;
 	if (pass->team != NULL)
 		cni_team_for(pass->team, walk.end, RANGE_WORDS, homes_range, pass);
@@ -317,7 +317,7 @@ static void choose_dense(const settle_pass *pass)
 static void migrate(const settle_pass *pass)
 {
 	cni_sweep *sweep = pass->sweep;
-	cni_sweep_walk walk = cni_sweep_walk_bits(sweep, &sweep->loose);
+	cni_sweep_walk walk = cni_sweep_walk_bits(sweep, &sweep->loose, sweep->loose_count);
 	int32_t id, i = 0;
 	while ((id = cni_sweep_walk_next(&walk)) != CNI_NONE) {
 		int32_t home = pass->homes[i++], tile = home_tile(home);
