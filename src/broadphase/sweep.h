@@ -214,7 +214,7 @@ int32_t cni_sweep_level_for(const cni_sweep *sweep, float extent, int32_t now);
 int32_t cni_sweep_cells_of(const cni_sweep_level *level, const cni_aabb *box, cni_sweep_cells *out);
 /* Tile of a cell, or CNI_NONE. */
 int32_t cni_sweep_tile_find(const cni_sweep *sweep, int32_t level, int32_t tx, int32_t ty);
-/* Same, but makes a missing tile; CNI_NONE when there is no memory. May move the tile array. */
+/* Makes the missing tile of a cell; CNI_NONE when there is no memory. May move the tile array. */
 int32_t cni_sweep_tile_make(cni_sweep *sweep, int32_t level, int32_t tx, int32_t ty);
 void cni_sweep_tile_destroy(cni_sweep *sweep, int32_t tile);
 /* Makes room for count tiles in the table from cells to tiles; 0 when there is no memory. */

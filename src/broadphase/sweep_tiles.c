@@ -165,10 +165,9 @@ static int32_t tile_take(cni_sweep *sweep)
 
 int32_t cni_sweep_tile_make(cni_sweep *sweep, int32_t level, int32_t tx, int32_t ty)
 {
-	int32_t tile = cni_sweep_tile_find(sweep, level, tx, ty);
+	int32_t tile;
 	cni_sweep_tile *t;
-	if (tile != CNI_NONE)
-		return tile;
+	CNI_ASSERT(cni_sweep_tile_find(sweep, level, tx, ty) == CNI_NONE);
 	if (!cni_sweep_slots_reserve(sweep, sweep->tile_count + 1) || (tile = tile_take(sweep)) == CNI_NONE)
 		return CNI_NONE;
 	t = cni_sweep_tile_at(sweep, tile);

@@ -89,12 +89,10 @@ int32_t cni_outline_simplify(const cni_vec2 *points, int32_t count, int32_t clos
 		return kept_write(&s, out, capacity);
 	}
 	int32_t a = cni_point_farthest(points, count, points[0]), b = cni_point_farthest(points, count, points[a]);
-	int32_t first = cni_min_i(a, b), last = cni_max_i(a, b), kept = 0;
+	int32_t first = cni_min_i(a, b), last = cni_max_i(a, b);
 	cni_bit_set(s.kept, first);
 	cni_bit_set(s.kept, last);
 	stretch_simplify(&s, first, last);
 	stretch_simplify(&s, last, first + count);
-	for (int32_t i = 0; i < count; ++i)
-		kept += cni_bit_get(s.kept, i);
-	return kept >= 3 ? kept_write(&s, out, capacity) : 0;
+	return kept_write(&s, out, 0) >= 3 ? kept_write(&s, out, capacity) : 0;
 }
