@@ -71,33 +71,27 @@ static int32_t exponent_above(float x)
 	return cni_min_i(cni_max_i((int32_t)(bits >> 23 & 255u) - 126, -20), 30);
 }
 
+/* By exponent; [1]: static boxes. */
 typedef struct extent_counts {
-	int32_t dynamic[51];
-	int32_t any[51];
-	int32_t dynamic_sum, any_sum;
+	int32_t of[2][51];
+	int32_t sum[2];
 } extent_counts;
 
 static void extent_count(extent_counts *counts, const cni_proxy *proxy)
 {
-	int32_t e = exponent_above(cni_sweep_extent(&proxy->fat)) + 20;
-	++counts->any[e];
-	++counts->any_sum;
-	if (proxy->flags & CNI_PROXY_STATIC)
-		return;
-	++counts->dynamic[e];
-	++counts->dynamic_sum;
+	int32_t is_static = (proxy->flags & CNI_PROXY_STATIC) != 0;
+	++counts->of[is_static][exponent_above(cni_sweep_extent(&proxy->fat)) + 20];
+	++counts->sum[is_static];
 }
 
-/* Exponent of the power of two above the extents of 90% of the boxes. */
+/* Exponent of the power of two above the extents of 90% of the boxes: of those that move, if there are any. */
 static int32_t extent_percentile(const extent_counts *counts)
 {
-	const int32_t *histogram = counts->dynamic_sum > 0 ? counts->dynamic : counts->any;
-	int64_t sum = counts->dynamic_sum > 0 ? counts->dynamic_sum : counts->any_sum;
+	int32_t e, is_static = counts->sum[0] == 0;
 	int64_t below = 0;
-	int32_t e;
 	for (e = 0; e < 50; ++e) {
-		below += histogram[e];
-		if (10 * below >= 9 * sum)
+		below += counts->of[is_static][e];
+		if (10 * below >= 9 * (int64_t)counts->sum[is_static])
 			break;
 	}
 	return e - 20;
