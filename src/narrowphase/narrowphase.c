@@ -363,7 +363,8 @@ static void changes_apply(cn_world *world, const change_list *list, cni_begun_st
 typedef struct collide_loop {
 	cni_cull_list list;
 	cni_begun_store store;
-	uint8_t *changes;      /* CHANGE_* of each contact of the list */
+	uint8_t *changes;      /* CHANGE_* of each contact of the list; NULL: no memory, */
+	change_list *listed;   /* and one worker adds them to this list at once, without deferring any */
 	uint32_t change_count;
 } collide_loop;
 
@@ -388,14 +389,17 @@ static void collide_range(void *context, int32_t begin, int32_t end)
 	int32_t k, count;
 	cni_cull cull;
 	window w;
-	window_init(&w, world, 0);
-	w.store = &loop->store;
+	window_init(&w, world, loop->changes == NULL);
+	w.store = loop->changes == NULL ? NULL : &loop->store;
 	w.prefetches = loop->list.prefetches;
 	cni_cull_begin(&cull, &loop->list, range_begin(&loop->list, begin), range_begin(&loop->list, end));
 	while ((count = cni_cull_next(&cull, w.pair, WINDOW)) > 0) {
 		window_collide(world, &w, count, loop->list.dt);
 		for (k = 0; k < count; ++k) {
-			loop->changes[w.pair[k].place] = (uint8_t)w.change[k];
+			if (loop->changes != NULL)
+				loop->changes[w.pair[k].place] = (uint8_t)w.change[k];
+			else if (w.change[k] != CHANGE_NONE)
+				change_add(world, loop->listed, w.pair[k].index, w.change[k]);
 			changed += w.change[k] != CHANGE_NONE;
 		}
 	}
@@ -454,51 +458,34 @@ static void deferred_collide(cn_world *world, const change_list *changes, float 
 	items_collide(world, &w, items, changes, dt);
 }
 
-/* Both parts. Without memory for the list `reserve` holds the changes that fit: lists keep CHANGES_LEAST of them. */
-static void collide_parallel(cn_world *world, collide_loop *loop, uint32_t *reserve)
+/* Both parts. Without memory CHANGES_LEAST changes are listed. */
+static void collide(cn_world *world, collide_loop *loop)
 {
-	change_list changes = { reserve, 0, CHANGES_LEAST };
-	uint32_t *items = NULL;
-	memset(loop->changes, 0, (size_t)loop->list.count);
+	uint32_t few[CHANGES_LEAST], *items = NULL;
+	change_list changes = { few, 0, CHANGES_LEAST };
+	int32_t count = loop->list.count;
+	loop->listed = &changes;
 	loop->change_count = 0;
-	cni_team_for(loop->list.count < SHARED_CONTACTS ? NULL : world->team, loop->list.count / CNI_BEGUN_GROUP + 1, 1, collide_range, loop);
+	if (loop->changes != NULL)
+		memset(loop->changes, 0, (size_t)count);
+	cni_team_for(loop->changes == NULL || count < SHARED_CONTACTS ? NULL : world->team, count / CNI_BEGUN_GROUP + 1, 1, collide_range, loop);
 	cni_cull_close(&loop->list);
-	if (loop->change_count > CHANGES_LEAST)
+	if (loop->changes != NULL && loop->change_count > CHANGES_LEAST)
 		items = (uint32_t *)cni_arena_push(&world->arena, sizeof(uint32_t) * (uint64_t)loop->change_count);
 	if (items != NULL) {
 		changes.items = items;
 		changes.capacity = (int32_t)loop->change_count;
 	}
-	changes_list(loop, &changes);
+	if (loop->changes != NULL)
+		changes_list(loop, &changes);
 	deferred_collide(world, &changes, loop->list.dt);
 	changes_apply(world, &changes, &loop->store, loop->list.dt);
 	cni_arena_pop(&world->arena, items);
 }
 
-/* Where the arena has no room for marks of changes. */
-static void collide_serial(cn_world *world, collide_loop *loop, uint32_t *reserve)
-{
-	change_list changes = { reserve, 0, CHANGES_LEAST };
-	int32_t k, count;
-	cni_cull cull;
-	window w;
-	window_init(&w, world, 1);
-	w.prefetches = loop->list.prefetches;
-	cni_cull_begin(&cull, &loop->list, 0, loop->list.count);
-	while ((count = cni_cull_next(&cull, w.pair, WINDOW)) > 0) {
-		window_collide(world, &w, count, loop->list.dt);
-		for (k = 0; k < count; ++k)
-			if (w.change[k] != CHANGE_NONE)
-				change_add(world, &changes, w.pair[k].index, w.change[k]);
-	}
-	cni_cull_close(&loop->list);
-	changes_apply(world, &changes, &loop->store, loop->list.dt);
-}
-
 void cni_stage_narrowphase(cn_world *world, float dt)
 {
 	int32_t *contacts = (int32_t *)world->apart.data, apart = world->apart.count, count;
-	uint32_t reserve[CHANGES_LEAST];
 	collide_loop loop;
 	if (contacts == NULL)
 		return; /* there has never been a contact */
@@ -506,10 +493,7 @@ void cni_stage_narrowphase(cn_world *world, float dt)
 	loop.changes = (uint8_t *)cni_arena_push(&world->arena, (uint64_t)count);
 	cni_begun_open(&loop.store, world, apart, cni_min_i(world->pairs.list.count, apart));
 	cni_cull_open(&loop.list, world, contacts, apart, count, dt);
-	if (loop.changes != NULL)
-		collide_parallel(world, &loop, reserve);
-	else
-		collide_serial(world, &loop, reserve);
+	collide(world, &loop);
 	cni_begun_close(&loop.store, world);
 	cni_arena_pop(&world->arena, loop.changes);
 }
