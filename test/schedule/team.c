@@ -166,12 +166,12 @@ void cni_team_for(cni_team *team, int32_t item_count, int32_t min_range, cni_ran
 	if (item_count <= 0)
 		return;
 	if (team == NULL || item_count / 2 < min_range || schedule.mode == SCHEDULE_OFF) {
-		fn(context, 0, item_count, 0);
+		fn(context, 0, item_count);
 		return;
 	}
 	from = processor_ns();
 	if (schedule.mode == SCHEDULE_SERIAL)
-		fn(context, 0, item_count, 0);
+		fn(context, 0, item_count);
 	else
 		took = loop_run(team, item_count / min_range, &l);
 	skew_ns += took - (processor_ns() - from);
