@@ -210,7 +210,7 @@ struct cn_world {
  */
 
 /* Greatest speed that an impulse gives the lighter of its two bodies when the soft solver begins with it. More would crush the body from any start, and
-   throw it when the impulses on both sides of it do not cancel any more. It is free of the substep: with few of them, loads are the larger. */
+   throw it when the impulses on both sides of it do not cancel any more. It does not depend on the substep. */
 static inline float cni_soft_speed_most(const cn_world *world)
 {
 	return CNI_SOFT_FALL_S * cni_max(cni_length(world->settings.gravity), CNI_STANDARD_GRAVITY * world->settings.length_unit);
