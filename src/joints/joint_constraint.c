@@ -291,7 +291,7 @@ void cni_joint_rope_mark(const cn_world *world, cni_joint_constraint *w, float d
 		return;
 	axis = cni_distance_axis(w->start.d, &length);
 	speed = cni_dot(axis, cni_v(b->vx - a->vx, b->vy - a->vy)) + b->w * cni_cross(w->start.rb, axis) - a->w * cni_cross(w->start.ra, axis);
-	near = CNI_LIMIT_ROOM + 2.0f * dt * cni_abs(speed);
+	near = CNI_LIMIT_ROOM * world->settings.length_unit + 2.0f * dt * cni_abs(speed);
 	if (j->p[CNI_P_UPPER] - length < near && length - j->p[CNI_P_LOWER] > near)
 		w->flags |= CNI_CONSTRAINT_TAUT;
 }
@@ -323,7 +323,9 @@ void cni_joint_rows_end(const cn_world *world, const cni_joint_constraint *w, cn
 
 static int32_t row_turned_back(const cni_row *r, const cni_row *old)
 {
-	return r->bx * old->bx + r->by * old->by + r->bw * old->bw + r->ax * old->ax + r->ay * old->ay + r->aw * old->aw < 0.0f;
+	if (r->angular)
+		return r->bw * old->bw < 0.0f;
+	return r->bx * old->bx + r->by * old->by + r->ax * old->ax + r->ay * old->ay < 0.0f;
 }
 
 /* A directly solved pin without other rows. Its inverse, which nothing reads while it is, stays that of the step's beginning. */
