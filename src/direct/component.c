@@ -247,18 +247,25 @@ static void dampers_forget(cn_world *world, const cni_sparse *sparse, const cni_
 	}
 }
 
+/* Only systems of loops, and of light bodies on long arms between heavy ones, may be nearly singular. */
+static int32_t is_checked(const cni_component *c)
+{
+	return c->loops || c->mass_ratio > CNI_CHECKED_MASS_RATIO;
+}
+
 /* Rows of loops may be redundant, so their system may be nearly singular. When a solution exceeds its bound, it is solved again with a
    larger diagonal, which the component keeps for this step. */
 int32_t cni_direct_apply(cn_world *world, cni_sparse *sparse, cni_component *c)
 {
-	if (c->loops || c->active)
+	int32_t checked = is_checked(c);
+	if (checked || c->active)
 		sides_save(sparse, c, 0);
-	if (c->loops)
+	if (checked)
 		cni_direct_motions_save(world, sparse, c, 0);
 	for (;;) {
 		if (cni_sparse_solve(sparse, c)) {
 			solution_push(world, sparse, c);
-			if (!c->loops || is_bounded(world, sparse, c)) {
+			if (!checked || is_bounded(world, sparse, c)) {
 				dampers_forget(world, sparse, c);
 				return 1;
 			}
@@ -327,10 +334,37 @@ static int32_t set_solve(cn_world *world, const cni_solve *s, cni_sparse *sparse
 	}
 }
 
+/* The impulse of a row is no part of the next substep's warm start any more. */
+static void row_forget(const cn_world *world, cni_row *r, int32_t ia, int32_t ib)
+{
+	const cni_motion *a = cni_motions(world) + ia, *b = cni_motions(world) + ib;
+	cni_velocity_start *of_a = cni_starts(world) + ia, *of_b = cni_starts(world) + ib;
+	of_a->vx += a->inv_mass * r->ax * r->impulse;
+	of_a->vy += a->inv_mass * r->ay * r->impulse;
+	of_a->w += a->inv_inertia * r->aw * r->impulse;
+	of_b->vx += b->inv_mass * r->bx * r->impulse;
+	of_b->vy += b->inv_mass * r->by * r->impulse;
+	of_b->w += b->inv_inertia * r->bw * r->impulse;
+	r->impulse = 0.0f;
+}
+
+/* Its joints are soft from now on, without the impulses of the solution that failed: they cancel each other in light bodies, and soft joints,
+   which yield one by one, would throw those. */
+static void component_fail(cn_world *world, cni_sparse *sparse, cni_component *c)
+{
+	int32_t k, i;
+	for (k = c->begin; k < c->end; ++k) {
+		cni_joint_constraint *w = cni_joint_constraints(world) + sparse->nodes[k].owner;
+		for (i = 0; sparse->nodes[k].owner >= 0 && i < w->row_count; ++i)
+			row_forget(world, &w->rows[i], w->ia, w->ib);
+	}
+	cni_component_suspend(world, sparse, c, 0);
+}
+
 void cni_component_solve(cn_world *world, const cni_solve *s, cni_component *c)
 {
 	if (!(c->active ? set_solve(world, s, s->direct, c) : cni_direct_apply(world, s->direct, c)))
-		cni_component_suspend(world, s->direct, c, 0);
+		component_fail(world, s->direct, c);
 }
 
 int32_t cni_component_lock(cn_world *world, const cni_solve *s, cni_component *c, float turn)

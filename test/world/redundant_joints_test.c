@@ -361,6 +361,53 @@ static void light_bodies_between_heavy_ones_are_not_thrown(void)
 	CHECK_LE("... of 1:1e7", light_ones_between_heavy_ones(1e7f, &widest), 20.0, "m/s");
 }
 
+/* Any slider between bodies 1.5 m apart: with or without limits, motor and spring. */
+static void slide(scene *s, cn_body a, cn_body b, uint32_t *seed)
+{
+	cn_prismatic_def def;
+	cn_prismatic_def_init(&def);
+	connect(&def.base, a, at(0.75f, 0.0f), b, at(-0.75f, 0.0f));
+	def.base.flags = (uint32_t)fixture_random(seed, 0.0f, 7.99f) << 1;
+	def.lower_m = fixture_random(seed, -0.5f, 0.0f);
+	def.upper_m = fixture_random(seed, 0.0f, 0.5f);
+	def.motor_speed_mps = fixture_random(seed, -2.0f, 2.0f);
+	def.motor_force_max_N = fixture_random(seed, 0.0f, 50.0f);
+	def.spring_hertz = fixture_random(seed, 0.5f, 10.0f);
+	s->joints[s->joint_count++] = make_prismatic(s->world, &def);
+}
+
+/* Two heavy discs, and two of about a thousandth of their mass between them on arms of many times their radius. Returns the greatest speed
+   within 4 s. */
+static double light_discs_on_long_arms(uint32_t seed, int32_t solver)
+{
+	scene s = scene_open(0.0, 0, solver);
+	double fastest = 0.0;
+	int32_t k, step;
+	for (k = 0; k < 4; ++k) {
+		int32_t heavy = k == 0 || k == 3;
+		float radius = heavy ? fixture_random(&seed, 0.3f, 0.5f) : fixture_random(&seed, 0.08f, 0.15f), density = heavy ? fixture_random(&seed, 20.0f, 60.0f) : fixture_random(&seed, 0.5f, 2.0f);
+		ball(&s, 1.5f * (float)k, radius, density * (float)PI * radius * radius);
+		if (k > 0)
+			slide(&s, s.bodies[k - 1], s.bodies[k], &seed);
+	}
+	fixture_set_velocity(s.world, s.bodies[0], 0.0f, 0.0f, fixture_random(&seed, -3.0f, 3.0f));
+	fixture_set_velocity(s.world, s.bodies[3], 0.0f, fixture_random(&seed, -2.0f, 2.0f), 0.0f);
+	for (step = 0; step < 240; ++step) {
+		fixture_step(s.world, 1);
+		fastest = fmax(fastest, fastest_of(&s, s.bodies, 4));
+	}
+	scene_close(&s);
+	return fastest;
+}
+
+static void light_discs_on_long_arms_are_not_thrown(void)
+{
+	int32_t seed, thrown = 0;
+	for (seed = 1; seed <= 200; ++seed)
+		thrown += light_discs_on_long_arms((uint32_t)seed * 7919u, CN_SOLVER_AUTO) > 100.0;
+	CHECK_LE("rows that are thrown", (double)thrown, 12.0, "of 200");
+}
+
 /* Joins two bodies as they are now, so that each joint contradicts the others a little. */
 static void join_here(scene *s, cn_body a, cn_body b, int32_t pins)
 {
@@ -421,6 +468,7 @@ int main(void)
 	RUN(coupled_wheels_turn_on);
 	RUN(open_loops_close_calmly_when_they_lose_a_wall);
 	RUN(light_bodies_between_heavy_ones_are_not_thrown);
+	RUN(light_discs_on_long_arms_are_not_thrown);
 	RUN(too_many_joints_stay_closed);
 	RUN(straight_bridges_rest);
 	RUN(welded_arches_bear_themselves);
