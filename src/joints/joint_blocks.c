@@ -16,7 +16,6 @@
 #include "base/bitset.h"
 #include "base/cpu.h"
 #include "joints/joint_pass.h"
-#include "joints/joint_row.h"
 
 #include <string.h>
 

@@ -13,7 +13,6 @@
  * Reads records and motion; writes joint constraints, start, the records' impulses.
  */
 #include "joints/joint_constraint.h"
-#include "joints/joint_row.h"
 #include "model/tuning.h"
 
 /* ---- masses ---- */
@@ -155,7 +154,7 @@ static void rows_build(cni_joint_constraint *w, const cni_motion *a, const cni_m
 void cni_joint_constraint_rows(cni_joint_constraint *w, const cni_motion *motions, const cni_rot *turns)
 {
 	const cni_motion *a = motions + w->ia, *b = motions + w->ib;
-	if (w->make_rows == cni_joint_revolute.rows) {
+	if (w->make_rows == cni_joint_revolute_rows) {
 		cni_vec2 ra = cni_rotate(turns[w->ia], w->start.ra), rb = cni_rotate(turns[w->ib], w->start.rb);
 		cni_rows_point_turn(w->rows, ra, rb, constraint_gap(w, a, b, ra, rb));
 	} else {
@@ -368,7 +367,7 @@ static void rows_renew(cn_world *world, cni_joint_constraint *w)
 
 void cni_joint_rows_renew(cn_world *world, cni_joint_constraint *w)
 {
-	if (w->make_rows == cni_joint_revolute.rows && w->row_count == 2 && (w->flags & CNI_CONSTRAINT_DIRECT))
+	if (w->make_rows == cni_joint_revolute_rows && w->row_count == 2 && (w->flags & CNI_CONSTRAINT_DIRECT))
 		pin_renew(world, w);
 	else
 		rows_renew(world, w);

@@ -125,6 +125,21 @@ float cni_joint_speed(const cn_world *world, const cni_joint *j)
 	                    r.bx * b.linear_mps.x + r.by * b.linear_mps.y + r.bw * b.angular_radps);
 }
 
+void cni_rows_impulse(const cni_row *rows, int32_t count, cni_vec2 rb, cni_vec2 *out_linear, float *out_angular)
+{
+	cni_vec2 linear = { 0.0f, 0.0f };
+	float angular = 0.0f;
+	int32_t k;
+	for (k = 0; k < count; ++k) {
+		cni_vec2 b = cni_v(rows[k].bx, rows[k].by);
+		linear = cni_madd(linear, rows[k].impulse, b);
+		/* The part of the angular Jacobian that is not the force's own moment about the centre. */
+		angular += rows[k].impulse * (rows[k].bw - cni_cross(rb, b));
+	}
+	*out_linear = linear;
+	*out_angular = angular;
+}
+
 void cni_joint_reaction(const cn_world *world, const cni_joint *j, cn_vec2 *out_force, float *out_torque)
 {
 	cni_joint_frame f = cni_joint_frame_make(world, j);

@@ -41,7 +41,7 @@ typedef struct cni_joint {
 	float stiffness_hertz, stiffness_damping; /* of rigid rows and limits; 0: as stiff as the substeps allow */
 	float force_max, torque_max;      /* of rigid rows and limits; 0: no bound */
 	float break_force, break_torque;  /* 0: never */
-	float p[CNI_JOINT_NUMBERS]; /* numbers of the type; see the type's file */
+	float p[CNI_JOINT_NUMBERS]; /* numbers of the type: CNI_P_ */
 	cni_joint_trust trust;
 	uint64_t user_data;
 } cni_joint;
