@@ -42,7 +42,7 @@ static float impulse_most(const cni_row *r, const cni_solve *s)
 
 static float missing_speed(const cn_world *world, const cni_node *n, const cni_row *r)
 {
-	return n->target - cni_row_speed(r, cni_motions(world) + n->ia, cni_motions(world) + n->ib);
+	return n->target - cni_lever_speed(&r->lever, cni_motions(world) + n->ia, cni_motions(world) + n->ib);
 }
 
 /* ---- which rows ---- */
@@ -106,7 +106,7 @@ void cni_active_levers(const cn_world *world, cni_sparse *sparse, const cni_comp
 		cni_node *n = &sparse->nodes[k];
 		if (!(n->active & CNI_ROW_IN_SET))
 			continue;
-		cni_levers_set(&n->levers, 2, cni_row_lever(active_row(world, n)));
+		cni_levers_set(&n->levers, 2, active_row(world, n)->lever);
 		n->compliance[2] = 0.0f;
 	}
 }
@@ -184,7 +184,7 @@ static float impulse_least(const cni_row *r, const cni_solve *s)
 /* Sets the impulse of a row and applies the difference along its present lever. */
 static void row_set_impulse(const cn_world *world, const cni_node *n, cni_row *r, float impulse)
 {
-	cni_row_push(r, impulse - r->impulse, cni_motions(world) + n->ia, cni_motions(world) + n->ib);
+	cni_lever_push(&r->lever, impulse - r->impulse, cni_motions(world) + n->ia, cni_motions(world) + n->ib);
 	r->impulse = impulse;
 }
 

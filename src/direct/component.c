@@ -95,7 +95,7 @@ static void levers_read(const cn_world *world, cni_sparse *sparse, const cni_com
 			continue;
 		rows = cni_joint_constraints(world)[n->owner].rows;
 		for (i = 0; i < n->rows; ++i) {
-			cni_levers_set(&n->levers, i, cni_row_lever(&rows[i]));
+			cni_levers_set(&n->levers, i, rows[i].lever);
 			most = cni_row_push_speed(&rows[i], &push);
 			n->closing[i] = cni_clamp(rate * rows[i].error, -most, most);
 		}

@@ -79,11 +79,10 @@ void cni_direct_contact_impulses_clear(const cni_direct_contact_pass *q)
 		const cni_node *n = &q->sparse->nodes[k];
 		for (i = 0; n->owner >= 0 && i < cni_joint_constraints(q->world)[n->owner].row_count; ++i) {
 			cni_row *r = &cni_joint_constraints(q->world)[n->owner].rows[i];
-			cni_lever l = cni_row_lever(r);
 			if (i < n->rows)
 				r->impulse = 0.0f;
 			else
-				cni_lever_push(&l, r->impulse, q->motions + n->ia, q->motions + n->ib);
+				cni_lever_push(&r->lever, r->impulse, q->motions + n->ia, q->motions + n->ib);
 		}
 	}
 }

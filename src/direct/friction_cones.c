@@ -193,14 +193,8 @@ static void contact_newton(cone *q, cni_direct_contact *p)
 		n->compliance[i] = row_exists(p, i) ? stiffness_of(p, i) + both : 0.0f;
 		if (row_exists(p, i)) {
 			cni_lever l = cni_direct_contact_lever(p, i);
-			if (row_exists(p, 2)) {
-				l.ax += p->slope * friction.ax;
-				l.ay += p->slope * friction.ay;
-				l.aw += p->slope * friction.aw;
-				l.bx += p->slope * friction.bx;
-				l.by += p->slope * friction.by;
-				l.bw += p->slope * friction.bw;
-			}
+			if (row_exists(p, 2))
+				cni_lever_add(&l, p->slope, &friction);
 			cni_levers_set(&n->levers, i, l);
 		}
 	}

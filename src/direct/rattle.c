@@ -315,7 +315,7 @@ static int32_t substep(rattle_step *g)
 
 static float rope_speed(const rattle_step *g, const cni_joint_constraint *w)
 {
-	return cni_row_speed(&w->rows[0], g->motions + w->ia, g->motions + w->ib);
+	return cni_lever_speed(&w->rows[0].lever, g->motions + w->ia, g->motions + w->ib);
 }
 
 /* A loose rope that would be too long after the next substep. */

@@ -96,11 +96,6 @@ CNI_INLINE void cni_component_prefetch(const cn_world *world, const cni_sparse *
 		if (sparse->nodes[k].owner >= 0)
 			cni_joint_prefetch(cni_joint_constraints(world)[sparse->nodes[k].owner].record);
 }
-static inline cni_lever cni_row_lever(const cni_row *r)
-{
-	cni_lever l = { r->ax, r->ay, r->aw, r->bx, r->by, r->bw };
-	return l;
-}
 /* Greatest speed at which a row closes its error: that of overlaps, metres a second, and for angles rad/s, as many as length units a second. */
 typedef struct cni_push_speeds {
 	float linear, angular;
@@ -112,7 +107,7 @@ static inline cni_push_speeds cni_push_speeds_of(const cn_world *world)
 }
 static inline float cni_row_push_speed(const cni_row *r, const cni_push_speeds *p)
 {
-	return r->ax == 0.0f && r->ay == 0.0f && r->bx == 0.0f && r->by == 0.0f ? p->angular : p->linear;
+	return r->lever.ax == 0.0f && r->lever.ay == 0.0f && r->lever.bx == 0.0f && r->lever.by == 0.0f ? p->angular : p->linear;
 }
 /* Target speed of a motor, which does not pass a limit within the substep: a limit is soft and would give way to a strong motor. Beyond the
    limit it returns with the limit: rate is cni_soft_error_rate. */
@@ -120,21 +115,6 @@ static inline float cni_motor_target(const cni_row *r, float inv_h, float rate)
 {
 	float least = r->below * (r->below > 0.0f ? inv_h : rate), most = r->above * (r->above > 0.0f ? inv_h : rate);
 	return cni_min(cni_max(r->target, -least), most);
-}
-static inline float cni_row_mass(const cni_row *r, const cni_row *q, const cni_motion *a, const cni_motion *b)
-{
-	return a->inv_mass * (r->ax * q->ax + r->ay * q->ay) + a->inv_inertia * r->aw * q->aw +
-	       b->inv_mass * (r->bx * q->bx + r->by * q->by) + b->inv_inertia * r->bw * q->bw;
-}
-static inline float cni_row_speed(const cni_row *r, const cni_motion *a, const cni_motion *b)
-{
-	cni_lever l = cni_row_lever(r);
-	return cni_lever_speed(&l, a, b);
-}
-static inline void cni_row_push(const cni_row *r, float impulse, cni_motion *a, cni_motion *b)
-{
-	cni_lever l = cni_row_lever(r);
-	cni_lever_push(&l, impulse, a, b);
 }
 /* Index of the entry for rows i and k in the inverse of the first rows' K. */
 static inline int32_t cni_inverse_at(int32_t i, int32_t k)
@@ -157,7 +137,7 @@ void cni_joint_rows_need(cn_world *world, const cni_solve *s, cni_joint_constrai
 void cni_joint_rows_end(const cn_world *world, const cni_joint_constraint *w, cni_joint *j);
 /* Builds the rows at the bodies' new positions with their present impulses; the change of the impulses' response goes into start. */
 void cni_joint_rows_renew(cn_world *world, cni_joint_constraint *w);
-/* Inverse of the symmetric K of one to three rows, as numbers->inverse; a singular K has the inverse 0. */
+/* Inverse of the symmetric K of one to three rows, as numbers->inverse; a singular K has the inverse 0. Other counts: nothing. */
 void cni_rows_invert(const cni_row *r, int32_t count, const cni_motion *a, const cni_motion *b, float *inv);
 /* The type's rows without decoupling, for joints whose rows were built in this step and whose other rows are limits that cannot act;
    turns: rotations by the motions' theta. Leaves impulses undefined, and the other rows of pins as they were. */

@@ -119,10 +119,10 @@ static cn_velocity side_velocity(const cn_world *world, const cni_joint *j, int3
 float cni_joint_speed(const cn_world *world, const cni_joint *j)
 {
 	cni_joint_frame f = cni_joint_frame_make(world, j);
-	cni_row r = cni_joint_type_of(j->type)->speed_row(j, &f);
+	cni_lever l = cni_joint_type_of(j->type)->speed_row(j, &f).lever;
 	cn_velocity a = side_velocity(world, j, 0), b = side_velocity(world, j, 1);
-	return cni_saturate(r.ax * a.linear_mps.x + r.ay * a.linear_mps.y + r.aw * a.angular_radps +
-	                    r.bx * b.linear_mps.x + r.by * b.linear_mps.y + r.bw * b.angular_radps);
+	return cni_saturate(l.ax * a.linear_mps.x + l.ay * a.linear_mps.y + l.aw * a.angular_radps +
+	                    l.bx * b.linear_mps.x + l.by * b.linear_mps.y + l.bw * b.angular_radps);
 }
 
 void cni_rows_impulse(const cni_row *rows, int32_t count, cni_vec2 rb, cni_vec2 *out_linear, float *out_angular)
@@ -131,10 +131,10 @@ void cni_rows_impulse(const cni_row *rows, int32_t count, cni_vec2 rb, cni_vec2 
 	float angular = 0.0f;
 	int32_t k;
 	for (k = 0; k < count; ++k) {
-		cni_vec2 b = cni_v(rows[k].bx, rows[k].by);
+		cni_vec2 b = cni_v(rows[k].lever.bx, rows[k].lever.by);
 		linear = cni_madd(linear, rows[k].impulse, b);
 		/* The part of the angular Jacobian that is not the force's own moment about the centre. */
-		angular += rows[k].impulse * (rows[k].bw - cni_cross(rb, b));
+		angular += rows[k].impulse * (rows[k].lever.bw - cni_cross(rb, b));
 	}
 	*out_linear = linear;
 	*out_angular = angular;

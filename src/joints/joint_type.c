@@ -9,16 +9,22 @@
 
 /* ---- rows ---- */
 
-/* d/dt of sign * (angle b - ratio * angle a). */
-static cni_row row_angular(uint8_t kind, int32_t slot, float sign, float ratio, float error)
+static cni_row row_of(cni_lever lever, uint8_t kind, int32_t slot, float error)
 {
 	cni_row r;
 	memset(&r, 0, sizeof r);
-	r.aw = -sign * ratio;
-	r.bw = sign;
+	r.lever = lever;
 	r.error = error;
 	r.kind = kind;
 	r.slot = (uint8_t)slot;
+	return r;
+}
+
+/* d/dt of sign * (angle b - ratio * angle a). */
+static cni_row row_angular(uint8_t kind, int32_t slot, float sign, float ratio, float error)
+{
+	const cni_lever lever = { 0.0f, 0.0f, -sign * ratio, 0.0f, 0.0f, sign };
+	cni_row r = row_of(lever, kind, slot, error);
 	r.angular = 1;
 	return r;
 }
@@ -26,26 +32,17 @@ static cni_row row_angular(uint8_t kind, int32_t slot, float sign, float ratio, 
 /* d/dt of sign * direction . d; reach is a's lever: ra, or ra + d when the direction turns with a. */
 static cni_row row_along(const cni_joint_frame *f, cni_vec2 direction, cni_vec2 reach, uint8_t kind, int32_t slot, float sign, float error)
 {
-	cni_row r;
-	memset(&r, 0, sizeof r);
-	r.ax = -sign * direction.x;
-	r.ay = -sign * direction.y;
-	r.aw = -sign * cni_cross(reach, direction);
-	r.bx = sign * direction.x;
-	r.by = sign * direction.y;
-	r.bw = sign * cni_cross(f->rb, direction);
-	r.error = error;
-	r.kind = kind;
-	r.slot = (uint8_t)slot;
-	return r;
+	const cni_lever lever = { -sign * direction.x, -sign * direction.y, -sign * cni_cross(reach, direction),
+		sign * direction.x, sign * direction.y, sign * cni_cross(f->rb, direction) };
+	return row_of(lever, kind, slot, error);
 }
 
 /* The two rows of a point of b held at a point of a; slots 0 and 1. */
 static void rows_point(const cni_joint_frame *f, cni_vec2 ra, cni_vec2 gap, uint8_t kind, cni_row *rows)
 {
 	memset(rows, 0, 2 * sizeof *rows);
-	rows[0].ax = rows[1].ay = -1.0f;
-	rows[0].bx = rows[1].by = 1.0f;
+	rows[0].lever.ax = rows[1].lever.ay = -1.0f;
+	rows[0].lever.bx = rows[1].lever.by = 1.0f;
 	rows[0].kind = rows[1].kind = kind;
 	rows[1].slot = 1;
 	cni_rows_point_turn(rows, ra, f->rb, gap);
@@ -295,19 +292,11 @@ static float pulley_position(const cni_joint *j, const cni_joint_frame *f)
 }
 
 /* d/dt of sign * (length of rope in use). */
-static cni_row rope_row(const cni_joint *j, const cni_joint_frame *f, float sign)
+static cni_row rope_row(const cni_joint *j, const cni_joint_frame *f, float sign, float error)
 {
 	cni_vec2 u = pulley_direction(f->d), v = cni_mul(j->p[CNI_P_PULLEY_RATIO], pulley_direction(f->e));
-	cni_row r;
-	memset(&r, 0, sizeof r);
-	r.ax = sign * u.x;
-	r.ay = sign * u.y;
-	r.aw = sign * cni_cross(f->ra, u);
-	r.bx = sign * v.x;
-	r.by = sign * v.y;
-	r.bw = sign * cni_cross(f->rb, v);
-	r.kind = CNI_ROW_LIMIT;
-	return r;
+	const cni_lever lever = { sign * u.x, sign * u.y, sign * cni_cross(f->ra, u), sign * v.x, sign * v.y, sign * cni_cross(f->rb, v) };
+	return row_of(lever, CNI_ROW_LIMIT, 0, error);
 }
 
 /*
@@ -316,14 +305,13 @@ static cni_row rope_row(const cni_joint *j, const cni_joint_frame *f, float sign
  */
 static int32_t pulley_rows(const cni_joint *j, const cni_joint_frame *f, cni_row *rows)
 {
-	rows[0] = rope_row(j, f, -1.0f);
-	rows[0].error = j->p[CNI_P_LENGTH] - pulley_position(j, f);
+	rows[0] = rope_row(j, f, -1.0f, j->p[CNI_P_LENGTH] - pulley_position(j, f));
 	return 1;
 }
 
 static cni_row pulley_speed(const cni_joint *j, const cni_joint_frame *f)
 {
-	return rope_row(j, f, 1.0f);
+	return rope_row(j, f, 1.0f, 0.0f);
 }
 
 /* ---- angles over whole turns: joints/joint_turns.c; slot 0 ---- */

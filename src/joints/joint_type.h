@@ -8,6 +8,7 @@
 #ifndef CNI_JOINTS_JOINT_TYPE_H
 #define CNI_JOINTS_JOINT_TYPE_H
 
+#include "linear/lever.h"
 #include "model/world.h"
 
 /* ---- rows ---- */
@@ -31,10 +32,8 @@ enum {
 	CNI_ROW_DRIVE = 5  /* a spring among the first rows; a joint has either rigid or drive rows */
 };
 
-/* speed = a . (va, wa) + b . (vb, wb), the rate of change of error. */
 typedef struct cni_row {
-	float ax, ay, aw;
-	float bx, by, bw;
+	cni_lever lever;  /* speed along it: the rate of change of error */
 	float error;      /* metres or radians */
 	float target;     /* motor: target speed */
 	float limit;      /* motor: most force or torque; soft: the same, 0: no bound */
@@ -85,11 +84,11 @@ static inline cni_vec2 cni_distance_axis(cni_vec2 d, float *out_length)
 /* Turns the two rows of a point of b held at a point of a, seen from the centres of mass at ra and rb. */
 static inline void cni_rows_point_turn(cni_row *rows, cni_vec2 ra, cni_vec2 rb, cni_vec2 gap)
 {
-	rows[0].aw = ra.y;
-	rows[0].bw = -rb.y;
+	rows[0].lever.aw = ra.y;
+	rows[0].lever.bw = -rb.y;
 	rows[0].error = gap.x;
-	rows[1].aw = -ra.x;
-	rows[1].bw = rb.x;
+	rows[1].lever.aw = -ra.x;
+	rows[1].lever.bw = rb.x;
 	rows[1].error = gap.y;
 }
 

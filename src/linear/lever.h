@@ -53,6 +53,24 @@ static inline void cni_lever_push(const cni_lever *l, float impulse, cni_motion 
 	b->w += b->inv_inertia * impulse * l->bw;
 }
 
+/* to += part * l */
+static inline void cni_lever_add(cni_lever *to, float part, const cni_lever *l)
+{
+	to->ax += part * l->ax;
+	to->ay += part * l->ay;
+	to->aw += part * l->aw;
+	to->bx += part * l->bx;
+	to->by += part * l->by;
+	to->bw += part * l->bw;
+}
+
+/* l M^-1 k^T: the element of K for two rows. */
+static inline float cni_lever_mass(const cni_lever *l, const cni_lever *k, const cni_motion *a, const cni_motion *b)
+{
+	return a->inv_mass * (l->ax * k->ax + l->ay * k->ay) + a->inv_inertia * l->aw * k->aw +
+	       b->inv_mass * (l->bx * k->bx + l->by * k->by) + b->inv_inertia * l->bw * k->bw;
+}
+
 /* cni_lever_speed of all rows. */
 CNI_INLINE cni_four cni_levers_speed(const cni_levers *l, const cni_motion *a, const cni_motion *b)
 {
