@@ -13,6 +13,4 @@
 #define CNI_KERNEL cni_tree_batch_kernel_8
 #include "direct/batched_trees_kernel.h"
 #include "base/avx2_end.h"
-#else
-typedef int cni_no_tree_batch_kernel_8;
 #endif

@@ -8,7 +8,6 @@
 #ifndef CNI_JOINTS_JOINT_TYPE_H
 #define CNI_JOINTS_JOINT_TYPE_H
 
-#include "linear/lever.h"
 #include "model/world.h"
 
 /* ---- rows ---- */

@@ -21,7 +21,7 @@
 
 #include "base/blocks.h"
 #include "base/maths.h"
-#include "linear/motion.h"
+#include "linear/lever.h"
 #include "base/threads.h"
 #include "model/tuning.h"
 
