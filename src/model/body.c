@@ -318,8 +318,7 @@ void cni_body_boxes_tell(cn_world *world, const cni_body *b, int32_t set)
 {
 	int32_t shape, child;
 	if (set != CNI_BOXES_SEVERAL) {
-		if (set != CNI_BOXES_NONE)
-			proxy_tell(world, set);
+		proxy_tell(world, set);
 		return;
 	}
 	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {

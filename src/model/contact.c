@@ -112,19 +112,20 @@ int32_t cni_contact_allowed(const cn_world *world, int32_t proxy_a, int32_t prox
 
 /* ---- creation and destruction ---- */
 
+/* Memory for the ends of so many contacts in these logs of contacts and sensors, beside what is in them if more is 1. */
+static int32_t ends_reserve(cn_world *world, cni_array *logs, cni_array *sensed, int32_t count, int32_t more)
+{
+	cni_array *leave = &logs[CN_EVENT_LEAVE], *destroyed = &logs[CN_EVENT_DESTROYED];
+	return cni_array_reserve(sensed, &world->memory, more * sensed->count + count) && cni_array_reserve(leave, &world->memory, more * leave->count + count) &&
+	       cni_array_reserve(destroyed, &world->memory, more * destroyed->count + count);
+}
+
 /* With a fixed memory block, room for the end events of every contact that reports is reserved before it does: destroying must not fail
    without memory. The logs of the last step and of calls since are swapped, so both reserve it. */
 int32_t cni_contact_reserve_reports(cn_world *world, int32_t count)
 {
-	static const int32_t kinds[] = { CN_EVENT_LEAVE, CN_EVENT_DESTROYED };
-	int32_t k, good;
-	if (!CNI_HAS_EVENTS)
-		return 1;
-	good = cni_array_reserve(&world->events.sensor_log, &world->memory, count) && cni_array_reserve(&world->events.sensor_pending, &world->memory, count);
-	for (k = 0; k < 2 && good; ++k)
-		good = cni_array_reserve(&world->events.log[kinds[k]], &world->memory, count) &&
-		       cni_array_reserve(&world->events.pending[kinds[k]], &world->memory, count);
-	return good;
+	cni_events *events = &world->events;
+	return !CNI_HAS_EVENTS || (ends_reserve(world, events->log, &events->sensor_log, count, 0) && ends_reserve(world, events->pending, &events->sensor_pending, count, 0));
 }
 
 cn_result cni_contact_reserve(cn_world *world, int32_t extra)
@@ -238,15 +239,8 @@ void cni_contact_create(cn_world *world, int32_t proxy_a, int32_t proxy_b)
 
 cn_result cni_contact_reserve_end(cn_world *world, int32_t contacts)
 {
-	cni_array *leave = &world->events.pending[CN_EVENT_LEAVE], *destroyed = &world->events.pending[CN_EVENT_DESTROYED];
-	cni_array *sensed = &world->events.sensor_pending;
-	int32_t good;
-	if (!CNI_HAS_EVENTS)
-		return CN_OK;
-	contacts = cni_min_i(contacts, world->contacts_reporting); /* callers count contacts between two of their bodies twice */
-	good = cni_array_reserve(sensed, &world->memory, sensed->count + contacts) && cni_array_reserve(leave, &world->memory, leave->count + contacts) &&
-	       cni_array_reserve(destroyed, &world->memory, destroyed->count + contacts);
-	return good ? CN_OK : CN_ERROR_MEMORY;
+	int32_t ends = cni_min_i(contacts, world->contacts_reporting); /* callers count contacts between two of their bodies twice */
+	return !CNI_HAS_EVENTS || ends_reserve(world, world->events.pending, &world->events.sensor_pending, ends, 1) ? CN_OK : CN_ERROR_MEMORY;
 }
 
 int32_t cni_contact_destroy(cn_world *world, int32_t contact)

@@ -37,10 +37,17 @@
 #include "collision/manifold.h"
 #include "model/body.h"
 
+/* Bits of a block's lanes, where a record is not one of files of earlier versions; numbers and bits of a listed block: words are an instruction
+   less where they are read. */
 #ifdef CN_SMALL_BLOCKS /* no lane is unused; the same bits, without vectors */
 #define CNI_LANES 1
+typedef uint8_t cni_lane_bits;
+typedef uint16_t cni_listed_number, cni_listed_bits;
 #else
 #define CNI_LANES 16
+typedef uint16_t cni_lane_bits;
+typedef int32_t cni_listed_number;
+typedef uint32_t cni_listed_bits;
 #endif
 /* Blocks of 16 lanes in a row of a colour: early rest takes them in and out of the passes together, at any size of blocks. */
 #define CNI_BLOCKS_A_GROUP (16 / CNI_LANES)
@@ -106,13 +113,6 @@ typedef struct cni_block_extra {
 	float lock_bx[CNI_LANES], lock_by[CNI_LANES];
 } cni_block_extra;
 
-/* Bits of a block's lanes, where a record is not one of files of earlier versions. */
-#ifdef CN_SMALL_BLOCKS
-typedef uint8_t cni_lane_bits;
-#else
-typedef uint16_t cni_lane_bits;
-#endif
-
 /* The bits with that of a lane set to `on`, 0 or 1. */
 static inline uint32_t cni_bits_with(uint32_t bits, uint32_t lane, uint32_t on) { return (bits & ~(1u << lane)) | on << lane; }
 
@@ -150,15 +150,6 @@ typedef struct cni_color {
 	int32_t listed;        /* first of its blocks in world.block_list; within a step */
 	int32_t listed_count;  /* its blocks in the list */
 } cni_color;
-
-/* Numbers of a listed block; words are an instruction less where they are read. */
-#ifdef CN_SMALL_BLOCKS
-typedef uint16_t cni_listed_number;
-typedef uint16_t cni_listed_bits;
-#else
-typedef int32_t cni_listed_number;
-typedef uint32_t cni_listed_bits;
-#endif
 
 /* A block in the list of a step's passes: colours in order, a colour's blocks in order. */
 typedef struct cni_listed_block {

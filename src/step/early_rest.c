@@ -293,11 +293,10 @@ void cni_rest_find(cn_world *world, const cni_solve *s)
 	rest r = { world, s->team, NULL, NULL, 0, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0, 0, 0 };
 	if (s->substeps < 2)
 		return;
-	r.moving = (uint32_t *)cni_scratch_push(world, sizeof(uint32_t) * (uint64_t)cni_max_i(world->step_island_count, 1));
-	if (r.moving != NULL)
-		r.slow = (int32_t *)cni_scratch_push(world, sizeof(int32_t) * (uint64_t)world->awake_count);
-	if (r.slow != NULL) /* otherwise all substeps solve everything */
-		rest_run(&r, s);
-	(void)cni_arena_pop(&world->arena, r.slow);
+	r.moving = (uint32_t *)cni_scratch_push(world, sizeof(int32_t) * (uint64_t)(world->step_island_count + world->awake_count));
+	if (r.moving == NULL)
+		return; /* all substeps solve everything */
+	r.slow = (int32_t *)(void *)(r.moving + world->step_island_count);
+	rest_run(&r, s);
 	(void)cni_arena_pop(&world->arena, r.moving);
 }
