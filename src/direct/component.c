@@ -256,6 +256,8 @@ int32_t cni_direct_apply(cn_world *world, cni_sparse *sparse, cni_component *c)
 			solution_push(world, sparse, c);
 			if (!c->loops || is_bounded(world, sparse, c)) {
 				dampers_forget(world, sparse, c);
+				if (c->active)
+					cni_active_impulses_add(world, sparse, c);
 				return 1;
 			}
 			cni_direct_motions_save(world, sparse, c, 1);
@@ -315,7 +317,6 @@ static int32_t set_solve(cn_world *world, const cni_solve *s, cni_sparse *sparse
 	for (round = 0;; ++round) {
 		if (!cni_direct_apply(world, sparse, c))
 			return 0;
-		cni_active_impulses_add(world, sparse, c);
 		if (round == CNI_JOINT_SET_ROUNDS || !cni_active_change(world, s, sparse, c))
 			return 1;
 		cni_direct_system(world, s, sparse, c);

@@ -422,8 +422,6 @@ static void impulses_apply(cn_world *world, const cni_solve *s, cni_component *c
 	sides_set(s->direct, c, d);
 	if (!cni_direct_apply(world, s->direct, c))
 		cni_component_suspend(world, s->direct, c, 0);
-	else if (c->active)
-		cni_active_impulses_add(world, s->direct, c);
 }
 
 /* Finds the impulses of a pass. Returns 0 where they change nothing, so that they are not applied. */

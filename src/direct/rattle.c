@@ -88,15 +88,10 @@ int32_t cni_component_uses_rattle(cn_world *world, const cni_solve *s, const cni
 
 /* ---- kinematic ends: at constant velocity ---- */
 
-static int32_t is_base(const rattle_step *g, int32_t index)
-{
-	return index != 0 && g->motions[index].inv_mass == 0.0f && g->motions[index].inv_inertia == 0.0f;
-}
-
 static void base_place(const rattle_step *g, int32_t index)
 {
 	cni_motion *m = g->motions + index;
-	if (!is_base(g, index))
+	if (index == 0 || m->inv_mass != 0.0f || m->inv_inertia != 0.0f)
 		return;
 	m->dpx = g->elapsed * m->vx;
 	m->dpy = g->elapsed * m->vy;

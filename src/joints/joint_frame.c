@@ -3,18 +3,12 @@
  */
 #include "joints/joint_type.h"
 
-/* Centre of mass - point, without losing digits far from the origin. */
-static cni_vec2 center_from(const cni_body *b, cni_vec2 point)
-{
-	return cni_v((b->cx - point.x) + b->cx_low, (b->cy - point.y) + b->cy_low);
-}
-
-/* Anchor - ground point of a pulley's side; r is from the centre of mass to the anchor. */
+/* Anchor - ground point of a pulley's side, without losing digits far from the origin; r is from the centre of mass to the anchor. */
 static cni_vec2 from_ground(const cni_body *b, const cni_joint *j, int32_t side, cni_vec2 r)
 {
 	const float *ground = j->p + (side == 0 ? CNI_P_PULLEY_GROUND_A : CNI_P_PULLEY_GROUND_B);
 	cni_vec2 point = cni_v(ground[0], ground[1]);
-	return b == NULL ? cni_sub(j->anchor[side], point) : cni_add(center_from(b, point), r);
+	return b == NULL ? cni_sub(j->anchor[side], point) : cni_add(cni_v((b->cx - point.x) + b->cx_low, (b->cy - point.y) + b->cy_low), r);
 }
 
 float cni_joint_frame_angle(const cn_world *world, const cni_joint *j)

@@ -315,10 +315,7 @@ void cni_joints_store(cn_world *world, const cni_solve *s)
 static void joint_break(cn_world *world, const cni_joint_constraint *w)
 {
 	uint32_t breaks = (cni_joint_at(world, w->joint)->flags & CN_JOINT_BREAKS) != 0;
-	if (!cni_joint_event_log(world, w->joint, w->numbers->force_stress, w->numbers->torque_stress, breaks)) {
-		world->warnings |= CN_WARNING_EVENT_MEMORY;
-		++world->events_not_reported;
-	}
+	cni_joint_event_log(world, w->joint, w->numbers->force_stress, w->numbers->torque_stress, breaks);
 	if (breaks)
 		cni_joint_destroy(world, w->joint);
 }

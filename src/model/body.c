@@ -227,12 +227,6 @@ void cni_body_kick(cn_world *world, int32_t body)
 	}
 }
 
-/* A way of less than half of the margin needs no stretched box. */
-static int32_t needs_stretch(float margin, cni_vec2 ahead)
-{
-	return cni_abs(ahead.x) > 0.5f * margin || cni_abs(ahead.y) > 0.5f * margin;
-}
-
 static cni_aabb box_stretch(cni_aabb box, cni_vec2 ahead)
 {
 	box.x0 += cni_min(ahead.x, 0.0f);
@@ -265,7 +259,7 @@ static int32_t box_leaves(const cn_world *world, const cni_body *b, const cni_sh
 	if (*room > cni_max(cni_abs(ahead.x), cni_abs(ahead.y)))
 		return BOX_STAYS;
 	margin = cni_box_margin(world, b->type, &box);
-	reaches = needs_stretch(margin, ahead);
+	reaches = cni_abs(ahead.x) > 0.5f * margin || cni_abs(ahead.y) > 0.5f * margin; /* a shorter way needs no stretched box */
 	if (reaches)
 		box = box_stretch(box, ahead);
 	if (cni_aabb_contains(now, &box)) {

@@ -60,11 +60,6 @@ static void list_unlink(cn_world *world, int32_t contact, int32_t side)
 		b->flags &= ~(uint32_t)CNI_BODY_MIXED;
 }
 
-static int32_t contact_is_awake(const cn_world *world, const cni_contact *c)
-{
-	return cni_body_at(world, c->body[0])->awake != 0 || cni_body_at(world, c->body[1])->awake != 0;
-}
-
 static int32_t one_is_dynamic(const cn_world *world, const cni_shape *a, const cni_shape *b)
 {
 	return cni_body_at(world, a->body)->type == CN_BODY_DYNAMIC || cni_body_at(world, b->body)->type == CN_BODY_DYNAMIC;
@@ -407,7 +402,7 @@ int32_t cni_contact_end(cn_world *world, int32_t contact)
 		cni_island_unlink(world, c->body[0]);
 	c->flags &= ~(uint32_t)(CNI_CONTACT_TOUCHING | CNI_CONTACT_LINKED | CNI_CONTACT_ENTER_OWED | CNI_CONTACT_ENTERED);
 	--world->touching_count;
-	if (contact_is_awake(world, c))
+	if (cni_body_at(world, c->body[0])->awake != 0 || cni_body_at(world, c->body[1])->awake != 0)
 		cni_contact_enter_apart_list(world, contact);
 	return 1;
 }

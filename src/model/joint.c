@@ -136,15 +136,13 @@ int32_t cni_joint_reserve_events(cn_world *world, int32_t count)
 	return cni_array_reserve(log, &world->memory, log->count + count);
 }
 
-int32_t cni_joint_event_log(cn_world *world, int32_t joint, float force, float torque, uint32_t destroyed)
+void cni_joint_event_log(cn_world *world, int32_t joint, float force, float torque, uint32_t destroyed)
 {
 	const cni_joint *j = cni_joint_at(world, joint);
 	int32_t constraint = cni_joint_is_constraint(j->type), side;
-	cni_array *log = event_log(world);
-	cn_joint_event *e;
-	if (!cni_joint_reserve_events(world, 1))
-		return 0;
-	e = (cn_joint_event *)log->data + log->count++;
+	cn_joint_event *e = (cn_joint_event *)cni_event_add(world, event_log(world));
+	if (e == NULL)
+		return;
 	memset(e, 0, sizeof *e);
 	e->joint = constraint ? 0 : cni_joint_handle(world, joint);
 	e->constraint = constraint ? cni_joint_handle(world, joint) : 0;
@@ -154,5 +152,4 @@ int32_t cni_joint_event_log(cn_world *world, int32_t joint, float force, float t
 	e->force_N = force;
 	e->torque_Nm = torque;
 	e->user_data = j->user_data;
-	return 1;
 }

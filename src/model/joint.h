@@ -127,7 +127,7 @@ void cni_joint_leave_awake_list(cn_world *world, int32_t joint);
 
 /* Reserves memory for the events of destroying this many joints with a body. */
 int32_t cni_joint_reserve_events(cn_world *world, int32_t count);
-/* Logs that a joint was stressed beyond its threshold or destroyed; 0: no memory. */
-int32_t cni_joint_event_log(cn_world *world, int32_t joint, float force, float torque, uint32_t destroyed);
+/* Logs that a joint was stressed beyond its threshold or destroyed. */
+void cni_joint_event_log(cn_world *world, int32_t joint, float force, float torque, uint32_t destroyed);
 
 #endif
