@@ -16,14 +16,11 @@
  * (cni_joint_trust). The method's energy oscillates about the true one by the square of the substep, so the account may be that large and
  * no larger; the excess is taken out of the velocities. So energy cannot creep, step by step.
  *
- * Three methods, each for failures of the one before. The joints remember failures, so that a component that fails again and again does not
- * try everything in every step:
- *   RATTLE       a step that does not close its joints, or gains much energy, is repeated with twice the substeps, as far as the work
- *                of the step allows (CNI_ATTEMPT_PASS_WORK);
- *   projection   x += h (v + h a), x to the nearest point where the joints are closed, v projected to J v = 0 there: such a
- *                projection cannot raise kinetic energy, so it survives whips that no substep resolves, and loses energy
- *                (about (h w)^2 of it a substep);
- *   soft         each joint by itself, as CN_SOLVER_SOFT does, where a system is beyond the range of floats.
+ * A step that does not close its joints, or gains much energy, is repeated with twice the substeps, as far as the work of the step allows
+ * (CNI_ATTEMPT_PASS_WORK), and then by projections: x += h (v + h a), x to the nearest point where the joints are closed, v projected to
+ * J v = 0 there. Such a projection cannot raise kinetic energy, so it survives whips that no substep resolves, and loses energy (about
+ * (h w)^2 of it a substep). Last, each joint is soft, where a system is beyond the range of floats. The joints remember failures, so that a
+ * component that fails again and again does not try everything in every step.
  *
  * The number of substeps follows the geometric stiffness up to a limit; dampers do the rest: direct/geometric_stiffness.c.
  *

@@ -250,7 +250,7 @@ static int32_t is_locked(const cn_world *world, int32_t body)
 static int32_t lane_fill_again(cn_world *world, const cni_solve *s, struct cni_lane_setup *setup, int32_t k)
 {
 	const cni_joint_constraint *w = cni_joint_constraints(world) + k;
-	int32_t l = w->kept_lane % CNI_LANES;
+	int32_t l = w->kept_lane % CNI_LANES, is_new = w->record->inv_h == 0.0f;
 	cni_joint_block *block = cni_joint_blocks(world) + w->kept_lane / CNI_LANES;
 	if (block->ia[l] != w->ia || block->ib[l] != w->ib || w->kept_parts != w->parts || block->form != w->form ||
 	    block->small != cni_joint_is_of_small(world, w) || !cni_joint_fits_lane(world, s, w) ||
@@ -260,8 +260,7 @@ static int32_t lane_fill_again(cn_world *world, const cni_solve *s, struct cni_l
 	if (block->parts)
 		block->spring_j[l] = block->motor_j[l] = block->limit_j[l] = 0.0f;
 	cni_joint_lane_fill(world, s, &setup->spring, k, block, l);
-	setup->special |= is_locked(world, w->record->body[0]) || is_locked(world, w->record->body[1]) ||
-	                  (w->flags & (CNI_CONSTRAINT_FRESH | CNI_CONSTRAINT_TAUT)) != 0;
+	setup->special |= is_new || (w->flags & CNI_CONSTRAINT_TAUT) || is_locked(world, w->record->body[0]) || is_locked(world, w->record->body[1]);
 	++setup->filled;
 	return 1;
 }

@@ -199,12 +199,8 @@ static uint32_t constraint_flags(const cni_joint *j)
 		flags |= CNI_CONSTRAINT_BREAKABLE;
 	if (uses & CNI_USES_GROUNDS)
 		flags |= CNI_CONSTRAINT_GROUNDS;
-	if (uses & CNI_USES_TURNS)
-		flags |= CNI_CONSTRAINT_TURNS;
 	if (j->stiffness_hertz > 0.0f || (uses & CNI_USES_DRIVE))
 		flags |= CNI_CONSTRAINT_SPRINGY;
-	if (j->inv_h == 0.0f)
-		flags |= CNI_CONSTRAINT_FRESH;
 	return flags;
 }
 

@@ -13,12 +13,10 @@ enum {
 	CNI_CONSTRAINT_BOUNDED = 1u << 1,   /* force_max or torque_max is set */
 	CNI_CONSTRAINT_BREAKABLE = 1u << 2, /* a break threshold is set */
 	CNI_CONSTRAINT_GROUNDS = 1u << 3,   /* d and e start at points of the world */
-	CNI_CONSTRAINT_TURNS = 1u << 4,     /* counts whole turns */
-	CNI_CONSTRAINT_DIRECT = 1u << 5,    /* its rigid rows are solved with its neighbours': direct/direct_joints.c */
-	CNI_CONSTRAINT_FINISHED = 1u << 6,     /* its whole step is done: direct/rattle.c */
-	CNI_CONSTRAINT_FRESH = 1u << 7,     /* this is its first step */
-	CNI_CONSTRAINT_BATCHED = 1u << 8,      /* in a lane of a batch, with its pin: direct/batched_trees.c */
-	CNI_CONSTRAINT_TAUT = 1u << 9          /* a rope whose limit may be solved with its neighbours' rows: direct/active_rows.c */
+	CNI_CONSTRAINT_DIRECT = 1u << 4,    /* its rigid rows are solved with its neighbours': direct/direct_joints.c */
+	CNI_CONSTRAINT_FINISHED = 1u << 5,  /* its whole step is done: direct/rattle.c */
+	CNI_CONSTRAINT_BATCHED = 1u << 6,   /* in a lane of a batch, with its pin: direct/batched_trees.c */
+	CNI_CONSTRAINT_TAUT = 1u << 7       /* a rope whose limit may be solved with its neighbours' rows: direct/active_rows.c */
 };
 
 /* Forms of lanes: joints/joint_pass.h. */

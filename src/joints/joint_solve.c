@@ -299,7 +299,7 @@ void cni_joints_store(cn_world *world, const cni_solve *s)
 		cni_joint_rows_end(world, w, j);
 		j->inv_h = s->inv_h;
 		j->trust.direct = (w->flags & CNI_CONSTRAINT_DIRECT) != 0;
-		if (w->flags & CNI_CONSTRAINT_TURNS)
+		if (cni_joint_type_of(j->type)->uses & CNI_USES_TURNS)
 			cni_joint_turns_advance(world, j, cni_motions(world)[w->ia].theta, cni_motions(world)[w->ib].theta);
 		if (w->flags & CNI_CONSTRAINT_BREAKABLE) {
 			if (!(w->flags & CNI_CONSTRAINT_FINISHED))
