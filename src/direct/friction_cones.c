@@ -132,19 +132,15 @@ static void contact_center(const cone *q, cni_direct_contact *p, float speed)
 		p->dual[i] = slack_exists(p, i) ? q->tau * slack_mass(p, i) / p->slack[i] : 0.0f;
 }
 
-static float speed_missing(const cone *q, const cni_direct_contact *p)
-{
-	float speeds[3];
-	speeds_of(q, p, speeds);
-	return cni_max(cni_max(-speeds[0], -speeds[1]), cni_abs(speeds[2]));
-}
-
 static void center(cone *q)
 {
 	float speed = q->pass->speed_least;
 	cni_direct_contact *p;
-	for (p = q->pass->first; p < q->pass->end; ++p)
-		speed = cni_max(speed, speed_missing(q, p));
+	for (p = q->pass->first; p < q->pass->end; ++p) {
+		float speeds[3];
+		speeds_of(q, p, speeds);
+		speed = cni_max(speed, cni_max(cni_max(-speeds[0], -speeds[1]), cni_abs(speeds[2])));
+	}
 	q->tau = speed * speed;
 	for (p = q->pass->first; p < q->pass->end; ++p)
 		contact_center(q, p, speed);

@@ -296,13 +296,6 @@ int32_t cni_joint_lanes_need_no_plan(const cn_world *world)
 	return kept->alone && kept->lanes > 0 && kept->filled == kept->lanes && kept->budget == budget_of(world) && planning_is_needless(world);
 }
 
-/* Only called for kept lanes: locked bodies are not known for others. */
-static void no_plan_record(cn_world *world, const cni_solve *s)
-{
-	world->joint_lanes.alone = s->direct == NULL && !world->direct_failed && planning_is_needless(world);
-	world->joint_lanes.budget = budget_of(world);
-}
-
 static void lanes_empty(cn_world *world)
 {
 	int32_t k;
@@ -310,15 +303,6 @@ static void lanes_empty(cn_world *world)
 		if (!(cni_joint_constraints(world)[k].flags & CNI_CONSTRAINT_BATCHED))
 			cni_joint_constraints(world)[k].lane = CNI_NONE;
 	memset(world->joint_blocks_of, 0, sizeof world->joint_blocks_of);
-}
-
-/* left: number of joints without a lane. */
-static void lanes_keep(cn_world *world, const cni_solve *s, int32_t left)
-{
-	cni_lanes_kept *kept = &world->joint_lanes;
-	kept->lanes = !CNI_ON(KEPT_LANES) || left > 0 || (s->direct != NULL && s->direct->node_count > 0) ? 0 : world->awake_joints.count;
-	kept->blocks = world->joint_blocks.count;
-	kept->works = world->joint_work.capacity;
 }
 
 /* The angle is only computed for a spring or limit. */
@@ -367,15 +351,21 @@ static int32_t lanes_gather(cn_world *world, const cni_solve *s)
 
 void cni_joint_blocks_gather(cn_world *world, const cni_solve *s)
 {
-	if (lanes_are_kept(world, s)) {
-		no_plan_record(world, s);
-		world->joint_blocks.count = world->joint_lanes.blocks;
+	cni_lanes_kept *kept = &world->joint_lanes;
+	int32_t left;
+	if (lanes_are_kept(world, s)) { /* locked bodies are known for these alone */
+		kept->alone = s->direct == NULL && !world->direct_failed && planning_is_needless(world);
+		kept->budget = budget_of(world);
+		world->joint_blocks.count = kept->blocks;
 		world->joint_plain_first = CNI_NONE;
 		return;
 	}
-	world->joint_lanes.alone = 0;
 	lanes_empty(world);
-	lanes_keep(world, s, lanes_gather(world, s));
+	left = lanes_gather(world, s);
+	kept->alone = 0;
+	kept->lanes = !CNI_ON(KEPT_LANES) || left > 0 || (s->direct != NULL && s->direct->node_count > 0) ? 0 : world->awake_joints.count;
+	kept->blocks = world->joint_blocks.count;
+	kept->works = world->joint_work.capacity;
 	blocks_list(world);
 }
 

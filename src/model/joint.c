@@ -78,13 +78,6 @@ static int32_t first_shape_of_lesser(const cn_world *world, const cni_joint *j)
 	return a == CNI_NONE ? first_a : first_b;
 }
 
-static void bodies_refilter(cn_world *world, const cni_joint *j)
-{
-	int32_t shape = first_shape_of_lesser(world, j);
-	for (; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next)
-		cni_shape_refilter(world, shape);
-}
-
 void cni_joint_link(cn_world *world, int32_t joint)
 {
 	cni_joint *j = cni_joint_at(world, joint);
@@ -105,6 +98,7 @@ void cni_joint_link(cn_world *world, int32_t joint)
 void cni_joint_unlink(cn_world *world, int32_t joint)
 {
 	cni_joint *j = cni_joint_at(world, joint);
+	int32_t shape;
 	cni_joint_wake_bodies(world, j);
 	cni_joint_leave_awake_list(world, joint);
 	list_unlink(world, joint, 0);
@@ -113,7 +107,8 @@ void cni_joint_unlink(cn_world *world, int32_t joint)
 		cni_island_unlink(world, j->body[0]);
 	j->linked = 0;
 	if (!(j->flags & CN_JOINT_COLLIDE) && j->body[0] != CNI_NONE && j->body[1] != CNI_NONE)
-		bodies_refilter(world, j);
+		for (shape = first_shape_of_lesser(world, j); shape != CNI_NONE; shape = cni_shape_at(world, shape)->next)
+			cni_shape_refilter(world, shape);
 }
 
 void cni_joint_destroy(cn_world *world, int32_t joint)

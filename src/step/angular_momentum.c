@@ -80,20 +80,14 @@ static void held_by_contacts(const body_groups *p)
 		}
 }
 
-/* The record costs a cache miss: it is read only if the flags do not decide. */
-static int32_t turns_against_world(const cni_joint_constraint *w)
-{
-	return w->record->type == CN_JOINT_GEAR || w->record->type == CN_JOINT_PULLEY;
-}
-
 static void held_by_joints(const body_groups *p)
 {
 	const cni_motion *motions = cni_motions(p->world);
 	int32_t k;
 	for (k = 0; k < p->world->awake_joints.count; ++k) {
 		const cni_joint_constraint *w = cni_joint_constraints(p->world) + k;
-		if (motions[w->ia].inv_mass > 0.0f && motions[w->ib].inv_mass > 0.0f && !turns_against_world(w))
-			continue;
+		if (motions[w->ia].inv_mass > 0.0f && motions[w->ib].inv_mass > 0.0f && w->record->type != CN_JOINT_GEAR && w->record->type != CN_JOINT_PULLEY)
+			continue; /* the record, which costs a cache miss, is read last */
 		island_hold(p, w->ia);
 		island_hold(p, w->ib);
 	}

@@ -195,13 +195,6 @@ static void islands_done(rest *r)
 	}
 }
 
-static void carried_clear(const rest *r)
-{
-	int32_t k;
-	for (k = 0; k < r->world->awake_count && r->carried > 0; ++k)
-		cni_externals(r->world)[k].flags &= ~(uint32_t)CNI_EXTERNAL_DEFERRED;
-}
-
 static int32_t is_active(const cni_external *externals, int32_t k)
 {
 	return k != 0 && !(externals[k].flags & CNI_EXTERNAL_FINISHED);
@@ -271,6 +264,7 @@ static void systems_done(const cn_world *world, cni_sparse *direct)
 static void rest_run(rest *r, const cni_solve *s)
 {
 	float speed = CNI_REST_SPEED * r->world->settings.length_unit;
+	int32_t k;
 	r->h = s->h;
 	r->residual = 0.001f * speed;
 	r->solved = CNI_REST_SOLVED_PART * speed;
@@ -285,7 +279,8 @@ static void rest_run(rest *r, const cni_solve *s)
 		blocks_unlist(r->world, r->active);
 		systems_done(r->world, s->direct);
 	}
-	carried_clear(r);
+	for (k = 0; k < r->world->awake_count && r->carried > 0; ++k)
+		cni_externals(r->world)[k].flags &= ~(uint32_t)CNI_EXTERNAL_DEFERRED;
 }
 
 void cni_rest_find(cn_world *world, const cni_solve *s)
