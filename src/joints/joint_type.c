@@ -94,7 +94,7 @@ static coordinate distance_of(const cni_joint_frame *f)
 	return c;
 }
 
-static cni_row coordinate_row(const coordinate *c, uint8_t kind, int32_t slot, float sign, float error)
+CNI_INLINE cni_row coordinate_row(const coordinate *c, uint8_t kind, int32_t slot, float sign, float error)
 {
 	return c->angular ? row_angular(kind, slot, sign, 1.0f, error) : row_along(c->f, c->axis, c->reach, kind, slot, sign, error);
 }
@@ -117,7 +117,7 @@ static cni_row limit_row(const cni_joint *j, const coordinate *c, int32_t slot)
 
 /* Writes the spring, motor and limit that the joint has, with this slot and the next two. p[hertz]: the spring's, before its damping ratio;
    motor: its coordinate, the same as the others' or one that has no limits. Returns the number of rows. */
-static int32_t parts_write(const cni_joint *j, const coordinate *c, const coordinate *motor, int32_t slot, float rest, int32_t hertz, cni_row *rows)
+CNI_INLINE int32_t parts_write(const cni_joint *j, const coordinate *c, const coordinate *motor, int32_t slot, float rest, int32_t hertz, cni_row *rows)
 {
 	int32_t count = 0;
 	if (j->flags & CN_JOINT_SPRING)
@@ -361,24 +361,20 @@ static int32_t filter_rows(const cni_joint *j, const cni_joint_frame *f, cni_row
 	return 0;
 }
 
-const cni_joint_type *cni_joint_type_of(int32_t type)
-{
-	static const cni_joint_type types[CNI_JOINT_TYPES] = {
-		{ cni_joint_revolute_rows, angle_position, angle_speed, CNI_USES_ANGLE | CNI_USES_REFERENCE },
-		{ distance_rows, distance_position, distance_speed, 0 },
-		{ fixed_rows, angle_position, angle_speed, CNI_USES_ANGLE | CNI_USES_REFERENCE },
-		{ prismatic_rows, slide_position, slide_speed, CNI_USES_ANGLE | CNI_USES_REFERENCE },
-		{ wheel_rows, slide_position, angle_speed, 0 },
-		{ motor_rows, motor_position, angle_speed, CNI_USES_ANGLE | CNI_USES_REFERENCE | CNI_USES_DRIVE },
-		{ mouse_rows, distance_position, mouse_speed, CNI_USES_DRIVE },
-		{ gear_rows, angle_position, angle_speed, CNI_USES_TURNS | CNI_USES_RATIO },
-		{ pulley_rows, pulley_position, pulley_speed, CNI_USES_GROUNDS },
-		{ ratchet_rows, angle_position, angle_speed, CNI_USES_TURNS },
-		{ rotary_spring_rows, angle_position, angle_speed, CNI_USES_TURNS | CNI_USES_DRIVE },
-		{ groove_rows, slide_position, slide_speed, 0 },
-		{ filter_rows, angle_position, slide_speed, 0 },
-		{ angle_rows, angle_position, angle_speed, CNI_USES_TURNS },
-		{ line_rows, slide_position, slide_speed, 0 }
-	};
-	return &types[type];
-}
+const cni_joint_type cni_joint_types[CNI_JOINT_TYPES] = {
+	{ cni_joint_revolute_rows, angle_position, angle_speed, CNI_USES_ANGLE | CNI_USES_REFERENCE },
+	{ distance_rows, distance_position, distance_speed, 0 },
+	{ fixed_rows, angle_position, angle_speed, CNI_USES_ANGLE | CNI_USES_REFERENCE },
+	{ prismatic_rows, slide_position, slide_speed, CNI_USES_ANGLE | CNI_USES_REFERENCE },
+	{ wheel_rows, slide_position, angle_speed, 0 },
+	{ motor_rows, motor_position, angle_speed, CNI_USES_ANGLE | CNI_USES_REFERENCE | CNI_USES_DRIVE },
+	{ mouse_rows, distance_position, mouse_speed, CNI_USES_DRIVE },
+	{ gear_rows, angle_position, angle_speed, CNI_USES_TURNS | CNI_USES_RATIO },
+	{ pulley_rows, pulley_position, pulley_speed, CNI_USES_GROUNDS },
+	{ ratchet_rows, angle_position, angle_speed, CNI_USES_TURNS },
+	{ rotary_spring_rows, angle_position, angle_speed, CNI_USES_TURNS | CNI_USES_DRIVE },
+	{ groove_rows, slide_position, slide_speed, 0 },
+	{ filter_rows, angle_position, slide_speed, 0 },
+	{ angle_rows, angle_position, angle_speed, CNI_USES_TURNS },
+	{ line_rows, slide_position, slide_speed, 0 }
+};

@@ -70,7 +70,8 @@ typedef struct cni_joint_type {
 	cni_joint_speed_fn *speed_row;
 	uint32_t uses;
 } cni_joint_type;
-const cni_joint_type *cni_joint_type_of(int32_t type);
+extern const cni_joint_type cni_joint_types[CNI_JOINT_TYPES];
+static inline const cni_joint_type *cni_joint_type_of(int32_t type) { return &cni_joint_types[type]; }
 /* Those of revolute joints. */
 cni_joint_rows_fn cni_joint_revolute_rows;
 
