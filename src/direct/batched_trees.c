@@ -12,7 +12,7 @@
  * Reads joint constraints, records, motion, the plan; writes batches, blocks of lanes, flags of joint constraints.
  */
 #include "base/cpu.h"
-#include "direct/batched_trees.h"
+#include "direct/direct_system.h"
 
 #include <string.h>
 

@@ -1,11 +1,11 @@
 /*
- * direct/batched_trees_kernel.h - passes over batches of trees (direct/batched_trees.h) for one instruction set, with the formulas of
+ * direct/batched_trees_kernel.h - passes over batches of trees (direct/direct_system.h) for one instruction set, with the formulas of
  * joints/joint_kernel.h.
  *
  * A pin's two rows are (-1, 0, ay | 1, 0, -by) and (0, -1, -ax | 0, 1, bx), so multiplications by one or zero of linear/sparse_solve.c are
  * left out here; the rest, and its order, are the same.
  */
-#include "direct/batched_trees.h"
+#include "direct/direct_system.h"
 #include "joints/joint_kernel.h"
 
 /* The bodies of a batch's lanes, in a pass. */

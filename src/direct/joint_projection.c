@@ -12,8 +12,8 @@
  */
 #include "direct/direct.h"
 #include "contacts/contacts.h"
-#include "direct/batched_trees.h"
 #include "direct/direct_contact.h"
+#include "direct/direct_system.h"
 
 #include <string.h>
 

@@ -18,7 +18,7 @@
  *   held      (bits of lanes) the measure is rigid: the angle of a weld, the length of a rod. Its impulse is the spring's, with the
  *             coefficients of rigid joints, and it is solved in the relax pass too
  *
- * Blocks of a batch (direct/batched_trees.h) are in no colour; `direct` has the lanes whose pins the batch solves.
+ * Blocks of a batch (direct/batched_trees.c) are in no colour; `direct` has the lanes whose pins the batch solves.
  */
 #ifndef CNI_JOINTS_JOINT_PASS_H
 #define CNI_JOINTS_JOINT_PASS_H

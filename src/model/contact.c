@@ -5,7 +5,6 @@
  * cni_contact_send_deferred_events), which makes them bookended: a contact that has logged CREATED logs DESTROYED before its
  * record is freed, one that has logged ENTER logs LEAVE before it stops touching.
  */
-#include "model/lane.h"
 #include "model/world.h"
 
 #include <string.h>

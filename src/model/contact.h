@@ -258,12 +258,6 @@ int32_t cni_contact_possible(const void *context, int32_t proxy_a, int32_t proxy
 int32_t cni_contact_user_allows(const void *context, int32_t proxy_a, int32_t proxy_b);
 /* ... by both. */
 int32_t cni_contact_allowed(const cn_world *world, int32_t proxy_a, int32_t proxy_b);
-/* Reserves memory for `lanes` touching contacts, awake or asleep, in any colours. 0: no memory. */
-int32_t cni_lane_reserve(cn_world *world, int32_t lanes);
-/* Are few of the allocated blocks in use? Then a loop over all in memory order costs more than one over the lists. */
-int32_t cni_blocks_are_few(const cn_world *world);
-/* Reserves extra rows for every block; 0: no memory. */
-int32_t cni_lane_reserve_extra(cn_world *world);
 /* Logs a contact's deferred event if there is memory now. In a step. */
 void cni_contact_send_deferred_events(cn_world *world, int32_t contact, uint32_t owed, int32_t kind);
 /* Sets whether a sensor pair overlaps, and logs the change. 0: no memory for the log; nothing changes. */
@@ -316,5 +310,27 @@ void cni_contact_mark_sums(cn_world *world, const cni_contact *c);
 void cni_contact_add_enter_impulses(cn_world *world, const cni_contact *c, float normal, float friction);
 /* The public description of a contact; with a manifold if it touches. kind is copied. */
 void cni_contact_describe(const cn_world *world, int32_t contact, int32_t kind, cn_contact_event *out);
+
+/* ---- lanes of blocks: model/lane.c ---- */
+
+/* Reserves memory for `lanes` touching contacts, awake or asleep, in any colours. 0: no memory. */
+int32_t cni_lane_reserve(cn_world *world, int32_t lanes);
+/* Are few of the allocated blocks in use? Then a loop over all in memory order costs more than one over the lists. */
+int32_t cni_blocks_are_few(const cn_world *world);
+/* Reserves extra rows for every block; 0: no memory. */
+int32_t cni_lane_reserve_extra(cn_world *world);
+/* Chooses a colour for the contact, marks its bodies and takes a lane; the rows are zero except for the body indices. Memory must be
+   reserved. */
+void cni_lane_take(cn_world *world, int32_t contact);
+/* Takes a lane for a contact that sleeps, with CNI_SLEEP_IN_BLOCKS; all rows are zero. */
+void cni_lane_take_asleep(cn_world *world, int32_t contact);
+/* Frees the contact's lane and fills it with the colour's last one. */
+void cni_lane_free(cn_world *world, int32_t contact);
+/* Marks that the slot's contact began to touch in this step. */
+void cni_lane_set_fresh(cn_world *world, int32_t slot);
+/* Removes the anchor of the slot's lane; gap and approach speed become 0. */
+void cni_lane_invalidate(cn_world *world, int32_t slot);
+/* Sets the lane's body indices from the bodies. */
+void cni_lane_set_bodies(cn_world *world, const cni_contact *c);
 
 #endif

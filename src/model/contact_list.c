@@ -2,7 +2,6 @@
  * model/contact_list.c - contact records: the list of contacts apart, lookup, gap, invalidation.
  */
 #include "model/world.h"
-#include "model/lane.h"
 
 void cni_contact_enter_apart_list(cn_world *world, int32_t contact)
 {
