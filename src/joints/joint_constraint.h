@@ -145,13 +145,4 @@ void cni_joint_constraint_ahead(const cni_joint_constraint *w, const cni_motion 
 /* Records the largest reaction of the step. */
 void cni_joint_constraint_stress(cni_joint_constraint *w, const cni_motion *b, float inv_h);
 
-/* ---- joints in lanes: joints/joint_blocks.c ---- */
-
-struct cni_lane_setup; /* joints/joint_pass.h */
-/* Sets up joint constraint k at the beginning of a step if it can be solved in a lane, and fills its lane of the last step if that is kept;
-   0: it cannot. Workers may call this for different k at once. */
-int32_t cni_joint_constraint_widen(cn_world *world, const cni_solve *s, struct cni_lane_setup *setup, int32_t k);
-/* 1: all joints are in their lanes of the last step, in which nothing was solved directly; so planning can be skipped. */
-int32_t cni_joint_lanes_need_no_plan(const cn_world *world);
-
 #endif

@@ -313,6 +313,8 @@ void cni_contact_describe(const cn_world *world, int32_t contact, int32_t kind, 
 
 /* ---- lanes of blocks: model/lane.c ---- */
 
+/* Upper bound of the blocks that so many contacts fill: full ones, and a partial block of each colour. */
+int32_t cni_lane_blocks_for(int32_t lanes);
 /* Reserves memory for `lanes` touching contacts, awake or asleep, in any colours. 0: no memory. */
 int32_t cni_lane_reserve(cn_world *world, int32_t lanes);
 /* Are few of the allocated blocks in use? Then a loop over all in memory order costs more than one over the lists. */

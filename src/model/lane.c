@@ -22,10 +22,14 @@ int32_t cni_lane_reserve_extra(cn_world *world)
 	return cni_table_reserve(&world->blocks_extra, &world->memory, cni_table_capacity(&world->blocks_hot));
 }
 
+int32_t cni_lane_blocks_for(int32_t lanes)
+{
+	return lanes / CNI_LANES + (CNI_LANES == 1 ? 0 : cni_min_i(lanes, CNI_COLORS));
+}
+
 int32_t cni_lane_reserve(cn_world *world, int32_t lanes)
 {
-	/* Full blocks, and at worst one partial block for each colour. */
-	int32_t blocks = lanes / CNI_LANES + (CNI_LANES == 1 ? 0 : cni_min_i(lanes, CNI_COLORS));
+	int32_t blocks = cni_lane_blocks_for(lanes);
 	return (cni_table_capacity(&world->blocks_extra) == 0 || cni_table_reserve(&world->blocks_extra, &world->memory, blocks)) &&
 	       cni_table_reserve(&world->blocks_hot, &world->memory, blocks) &&
 	       cni_table_reserve(&world->blocks_info, &world->memory, blocks) &&
