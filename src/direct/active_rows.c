@@ -19,13 +19,13 @@
 
 /* Target speed of the row; for a limit, the least speed. Limits push no faster than overlaps: joints of figures under a slab would stretch
    by a sixth more. */
-static float target_speed(const cni_row *r, const cni_solve *s, const cni_push_speeds *push, int32_t bias)
+static float target_speed(const cn_world *world, const cni_row *r, const cni_solve *s, int32_t bias)
 {
 	if (r->kind == CNI_ROW_MOTOR)
 		return cni_motor_target(r, s->inv_h, bias ? CNI_JOINT_ERROR_RATE * s->inv_h : 0.0f);
 	if (r->error > 0.0f)
 		return -r->error * s->inv_h;
-	return bias ? cni_min(-CNI_JOINT_ERROR_RATE * s->inv_h * r->error, cni_row_push_speed(r, push)) : 0.0f;
+	return bias ? cni_min(-CNI_JOINT_ERROR_RATE * s->inv_h * r->error, cni_row_push_speed(world, r)) : 0.0f;
 }
 
 /* The motor or limit row that is the third row of a node in the component's list. */
@@ -48,13 +48,13 @@ static float missing_speed(const cn_world *world, const cni_node *n, const cni_r
 /* ---- which rows ---- */
 
 /* Index of the chosen row in the joint constraint. */
-static int32_t row_choose(const cni_joint_constraint *w, const cni_motion *motions, float dt)
+static int32_t row_choose(const cn_world *world, const cni_joint_constraint *w, float dt)
 {
 	int32_t k, chosen = CNI_NONE;
 	for (k = w->rigid_count; k < w->row_count; ++k) {
 		if (w->rows[k].kind == CNI_ROW_MOTOR && w->rows[k].limit > 0.0f)
 			chosen = k;
-		if (w->rows[k].kind == CNI_ROW_LIMIT && cni_limit_is_near(&w->rows[k], motions + w->ia, motions + w->ib, dt))
+		if (w->rows[k].kind == CNI_ROW_LIMIT && cni_limit_is_near(world, w, k, dt))
 			return k;
 	}
 	return chosen;
@@ -77,7 +77,7 @@ int32_t cni_active_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
 		cni_joint_constraint *w = n->owner >= 0 ? &cni_joint_constraints(world)[n->owner] : NULL;
-		int32_t row = w == NULL || n->rows == CNI_NODE_ROWS ? CNI_NONE : row_choose(w, cni_motions(world), s->dt);
+		int32_t row = w == NULL || n->rows == CNI_NODE_ROWS ? CNI_NONE : row_choose(world, w, s->dt);
 		if (row == CNI_NONE)
 			continue;
 		w->active_row = row;
@@ -151,12 +151,11 @@ static void ropes_slow(const cn_world *world, const cni_solve *s, cni_sparse *sp
 
 void cni_active_right_sides(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c, int32_t bias)
 {
-	const cni_push_speeds push = cni_push_speeds_of(world);
 	int32_t k;
 	for (k = c->active_first; k != CNI_NONE; k = sparse->nodes[k].next_active) {
 		cni_node *n = &sparse->nodes[k];
 		const cni_row *r = active_row(world, n);
-		n->target = target_speed(r, s, &push, bias);
+		n->target = target_speed(world, r, s, bias);
 		if (n->active & CNI_ROW_IN_SET)
 			n->x[2] = missing_speed(world, n, r);
 	}

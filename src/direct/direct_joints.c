@@ -127,9 +127,7 @@ static void impulses_soften(cn_world *world, const cni_sparse *sparse, const cni
 	int32_t k, i;
 	for (k = c->begin; k < c->end; ++k) {
 		const cni_joint_constraint *w = cni_joint_constraints(world) + sparse->nodes[k].owner;
-		float sum = 0.0f;
-		for (i = 0; i < (sparse->nodes[k].rows > 0 ? sparse->nodes[k].rows : CNI_JOINT_ROWS); ++i) /* a rope has one impulse */
-			sum += cni_abs(w->record->impulse[i]);
+		float sum = cni_joint_impulse_sum(world, w->record, sparse->nodes[k].rows > 0 ? sparse->nodes[k].rows : CNI_JOINT_ROWS); /* a rope has one */
 		part = cni_min(part, cni_direct_soft_part(world, sum, w->ia, w->ib));
 	}
 	if (part == 1.0f)
@@ -176,12 +174,9 @@ static void net_release(cn_world *world, cni_sparse *sparse, cni_component *c)
 static int32_t is_forced(const cn_world *world, const cni_joint_constraint *w)
 {
 	int32_t i, beyond = 0;
-	float sum = 0.0f;
 	for (i = w->rigid_count; i < w->row_count; ++i)
-		beyond |= w->rows[i].kind == CNI_ROW_LIMIT && w->rows[i].error < -CNI_LIMIT_FORCED;
-	for (i = 0; beyond && i < w->row_count; ++i)
-		sum += cni_abs(w->record->impulse[w->rows[i].slot]);
-	return beyond && cni_direct_soft_part(world, sum, w->ia, w->ib) < 0.1f;
+		beyond |= w->rows[i].kind == CNI_ROW_LIMIT && w->rows[i].error * cni_row_length(world, &w->rows[i]) < -CNI_LIMIT_FORCED * world->settings.length_unit;
+	return beyond && cni_direct_soft_part(world, cni_joint_impulse_sum(world, w->record, CNI_JOINT_ROWS), w->ia, w->ib) < 0.1f;
 }
 
 /* A component whose joints contradict each other: pins hold a part beyond its limit. Impulses of exact joints would grow in each step, and

@@ -80,9 +80,11 @@ void cni_heavy_contacts_bounce(cn_world *world, const cni_solve *s);
 enum { CNI_ROW_IN_SET = 1u, CNI_ROW_AT_UPPER = 2u };
 
 /* 1: the limit may act in a step of this length. */
-static inline int32_t cni_limit_is_near(const cni_row *r, const cni_motion *a, const cni_motion *b, float dt)
+static inline int32_t cni_limit_is_near(const cn_world *world, const cni_joint_constraint *w, int32_t row, float dt)
 {
-	return r->error < CNI_LIMIT_ROOM + 2.0f * dt * cni_abs(cni_lever_speed(&r->lever, a, b));
+	const cni_row *r = &w->rows[row];
+	float speed = cni_lever_speed(&r->lever, cni_motions(world) + w->ia, cni_motions(world) + w->ib);
+	return r->error < CNI_LIMIT_ROOM * world->settings.length_unit / cni_row_length(world, r) + 2.0f * dt * cni_abs(speed);
 }
 /* Selects the motor and limit rows; their joint constraints leave the lanes. Returns 0 for none, 1 for limits only, 2 with motors. */
 int32_t cni_active_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c);

@@ -46,10 +46,12 @@ static int32_t is_opening(const cn_world *world, const cni_solve *s, const cni_c
 {
 	float most = CNI_BAD_PART * world->settings.accuracy * s->inv_h;
 	int32_t k, i;
-	for (k = c->begin; k < c->end; ++k)
-		for (i = 0; i < s->direct->nodes[k].rows; ++i)
-			if (cni_abs(s->direct->nodes[k].x[i]) > most)
+	for (k = c->begin; k < c->end; ++k) {
+		const cni_node *n = &s->direct->nodes[k];
+		for (i = 0; i < n->rows; ++i)
+			if (cni_abs(n->x[i]) * cni_row_length(world, &cni_joint_constraints(world)[n->owner].rows[i]) > most)
 				return 1;
+	}
 	return c->has_ropes && c->active && cni_active_rope_missing(world, s->direct, c) > most;
 }
 
@@ -83,13 +85,12 @@ static void joint_drift(const cn_world *world, const cni_solve *s, cni_node *n)
 {
 	const cni_motion *motions = cni_motions(world);
 	const cni_joint_constraint *w = cni_joint_constraints(world) + n->owner;
-	const cni_push_speeds push = cni_push_speeds_of(world);
 	float ahead[CNI_NODE_ROWS], now[CNI_NODE_LANES];
 	int32_t i;
 	cni_joint_constraint_ahead(w, motions, s->h, ahead);
 	cni_four_store(now, cni_levers_speed(&n->levers, motions + n->ia, motions + n->ib));
 	for (i = 0; i < n->rows; ++i) {
-		float speed = (ahead[i] - w->rows[i].error) * s->inv_h - now[i], most = cni_row_push_speed(&w->rows[i], &push);
+		float speed = (ahead[i] - w->rows[i].error) * s->inv_h - now[i], most = cni_row_push_speed(world, &w->rows[i]);
 		n->x[i] -= cni_clamp(speed, -most, most);
 	}
 }

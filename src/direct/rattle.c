@@ -39,12 +39,11 @@
 /* ---- which components ---- */
 
 /* 1: no row but the rigid ones, or that of a rope, can act in this step. */
-static int32_t constraint_is_rigid(const cni_joint_constraint *w, const cni_motion *motions, float dt)
+static int32_t constraint_is_rigid(const cn_world *world, const cni_joint_constraint *w, float dt)
 {
-	const cni_motion *a = motions + w->ia, *b = motions + w->ib;
 	int32_t k;
 	for (k = w->rigid_count; k < w->row_count; ++k) {
-		if (w->rows[k].kind != CNI_ROW_LIMIT || cni_limit_is_near(&w->rows[k], a, b, dt))
+		if (w->rows[k].kind != CNI_ROW_LIMIT || cni_limit_is_near(world, w, k, dt))
 			return cni_joint_is_rope(w->record);
 	}
 	return 1;
@@ -78,7 +77,7 @@ int32_t cni_component_uses_rattle(cn_world *world, const cni_solve *s, const cni
 			return 0;
 	cni_component_rows_need(world, s, sparse, c);
 	for (k = c->begin; k < c->end; ++k)
-		if (!constraint_is_rigid(&cni_joint_constraints(world)[sparse->nodes[k].owner], cni_motions(world), s->dt))
+		if (!constraint_is_rigid(world, &cni_joint_constraints(world)[sparse->nodes[k].owner], s->dt))
 			return 0;
 	return 1;
 }
@@ -146,9 +145,10 @@ static void drift(rattle_step *g)
 }
 
 /* Remainder of an old gap after the substep. A taut rope has no room. */
-static float gap_left(const rattle_step *g, const cni_joint_constraint *w, float error)
+static float gap_left(const rattle_step *g, const cni_joint_constraint *w, int32_t row)
 {
-	if (cni_abs(error) <= CNI_RATTLE_OLD_GAP * g->closed || (error > 0.0f && cni_joint_is_rope(w->record)))
+	float error = w->rows[row].error;
+	if (cni_abs(error) * cni_row_length(g->world, &w->rows[row]) <= CNI_RATTLE_OLD_GAP * g->closed || (error > 0.0f && cni_joint_is_rope(w->record)))
 		return 0.0f;
 	return (1.0f - CNI_RATTLE_CLOSING_RATE) * error;
 }
@@ -195,7 +195,7 @@ static float gaps_find(const rattle_step *g)
 		for (i = 0; i < n->rows; ++i) {
 			float gap = w->rows[i].error - n->carried[i];
 			n->x[i] = -gap * inv_h;
-			largest = cni_max(largest, cni_abs(gap));
+			largest = cni_max(largest, cni_abs(gap) * cni_row_length(g->world, &w->rows[i]));
 		}
 		for (; i < CNI_NODE_ROWS; ++i)
 			n->x[i] = 0.0f;
@@ -208,7 +208,7 @@ static void gaps_left_find(const rattle_step *g)
 	int32_t k, i;
 	for (k = g->c->begin; k < g->c->end; ++k)
 		for (i = 0; i < g->sparse->nodes[k].rows; ++i)
-			g->sparse->nodes[k].carried[i] = gap_left(g, constraint_of(g, k), constraint_of(g, k)->rows[i].error);
+			g->sparse->nodes[k].carried[i] = gap_left(g, constraint_of(g, k), i);
 }
 
 static void push(const rattle_step *g, cni_node *n)

@@ -11,8 +11,10 @@ float cni_rattle_closing_speed(const rattle_step *g)
 	float most = 0.0f;
 	int32_t k, i;
 	for (k = g->c->begin; k < g->c->end; ++k)
-		for (i = 0; i < g->sparse->nodes[k].rows; ++i)
-			most = cni_max(most, cni_abs(constraint_of(g, k)->rows[i].error));
+		for (i = 0; i < g->sparse->nodes[k].rows; ++i) {
+			const cni_row *r = &constraint_of(g, k)->rows[i];
+			most = cni_max(most, cni_abs(r->error) * cni_row_length(g->world, r));
+		}
 	return most > CNI_RATTLE_OLD_GAP * g->closed ? CNI_RATTLE_CLOSING_RATE * most / g->h : 0.0f;
 }
 

@@ -275,7 +275,7 @@ void cni_joint_rope_mark(const cn_world *world, cni_joint_constraint *w, float d
 		return;
 	axis = cni_distance_axis(w->start.d, &length);
 	speed = cni_dot(axis, cni_v(b->vx - a->vx, b->vy - a->vy)) + b->w * cni_cross(w->start.rb, axis) - a->w * cni_cross(w->start.ra, axis);
-	near = CNI_LIMIT_ROOM + 2.0f * dt * cni_abs(speed);
+	near = CNI_LIMIT_ROOM * world->settings.length_unit + 2.0f * dt * cni_abs(speed);
 	if (j->p[CNI_P_UPPER] - length < near && length - j->p[CNI_P_LOWER] > near)
 		w->flags |= CNI_CONSTRAINT_TAUT;
 }
@@ -305,9 +305,10 @@ void cni_joint_rows_end(const cn_world *world, const cni_joint_constraint *w, cn
 
 /* ---- within the step ---- */
 
-static int32_t row_turned_back(const cni_lever *r, const cni_lever *old)
+static int32_t row_turned_back(const cni_row *r, const cni_row *old)
 {
-	return r->bx * old->bx + r->by * old->by + r->bw * old->bw + r->ax * old->ax + r->ay * old->ay + r->aw * old->aw < 0.0f;
+	const cni_lever *l = &r->lever, *was = &old->lever;
+	return (r->angular ? l->bw * was->bw : l->bx * was->bx + l->by * was->by + l->ax * was->ax + l->ay * was->ay) < 0.0f;
 }
 
 /* A directly solved pin without other rows. Its inverse, which nothing reads while it is, stays that of the step's beginning. */
@@ -337,7 +338,7 @@ static void rows_renew(cn_world *world, cni_joint_constraint *w)
 	for (k = 0; k < w->row_count; ++k) {
 		float impulse = old[k].impulse;
 		cni_lever_push(&old[k].lever, -impulse, &change_a, &change_b);
-		if (row_turned_back(&w->rows[k].lever, &old[k].lever))
+		if (row_turned_back(&w->rows[k], &old[k]))
 			impulse = 0.0f; /* the limit changed sides */
 		w->rows[k].impulse = impulse;
 		cni_lever_push(&w->rows[k].lever, impulse, &change_a, &change_b);

@@ -94,18 +94,15 @@ CNI_INLINE void cni_component_prefetch(const cn_world *world, const cni_sparse *
 		if (sparse->nodes[k].owner >= 0)
 			cni_joint_prefetch(cni_joint_constraints(world)[sparse->nodes[k].owner].record);
 }
-/* Greatest speed at which a row closes its error: that of overlaps, metres a second, and for angles rad/s, as many as length units a second. */
-typedef struct cni_push_speeds {
-	float linear, angular;
-} cni_push_speeds;
-static inline cni_push_speeds cni_push_speeds_of(const cn_world *world)
+/* Metres for one unit of a row's error or speed, where it is compared with those of others: a radian counts as a length unit. */
+static inline float cni_row_length(const cn_world *world, const cni_row *r)
 {
-	cni_push_speeds p = { world->settings.push_speed_max, world->settings.push_speed_max / world->settings.length_unit };
-	return p;
+	return r->angular ? world->settings.length_unit : 1.0f;
 }
-static inline float cni_row_push_speed(const cni_row *r, const cni_push_speeds *p)
+/* Greatest speed at which a row closes its error: that of overlaps. */
+static inline float cni_row_push_speed(const cn_world *world, const cni_row *r)
 {
-	return r->lever.ax == 0.0f && r->lever.ay == 0.0f && r->lever.bx == 0.0f && r->lever.by == 0.0f ? p->angular : p->linear;
+	return world->settings.push_speed_max / cni_row_length(world, r);
 }
 /* Target speed of a motor, which does not pass a limit within the substep: a limit is soft and would give way to a strong motor. Beyond the
    limit it returns with the limit: rate is cni_soft_error_rate. */

@@ -9,6 +9,31 @@
 
 #include <string.h>
 
+/* ---- impulses ---- */
+
+/* Bits of the slots whose impulses are of angles. */
+static uint32_t slots_of_angles(int32_t type)
+{
+	switch (type) {
+	case CN_JOINT_REVOLUTE: return 1u << 2 | 1u << 3 | 1u << 4;
+	case CN_JOINT_FIXED: case CN_JOINT_MOTOR_TO: return 1u << 2;
+	case CN_JOINT_PRISMATIC: return 1u << 1;
+	case CN_JOINT_WHEEL: return 1u << 3;
+	case CN_JOINT_GEAR: case CN_JOINT_RATCHET: case CN_JOINT_ROTARY_SPRING: case CNI_JOINT_ANGLE: return 1u << 0;
+	default: return 0;
+	}
+}
+
+float cni_joint_impulse_sum(const cn_world *world, const cni_joint *j, int32_t count)
+{
+	uint32_t of_angles = slots_of_angles(j->type);
+	float sum = 0.0f;
+	int32_t k;
+	for (k = 0; k < count; ++k)
+		sum += cni_abs(j->impulse[k]) / (of_angles >> k & 1u ? world->settings.length_unit : 1.0f);
+	return sum;
+}
+
 /* ---- lists ---- */
 
 static void list_link(cn_world *world, int32_t joint, int32_t side)

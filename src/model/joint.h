@@ -57,6 +57,9 @@ static inline void cni_joint_keep_finite(cni_joint *j)
 		j->impulse[k] = 0.0f;
 }
 
+/* Sum of the first `count` impulses, N s; those of angles are on arms of a length unit. */
+float cni_joint_impulse_sum(const cn_world *world, const cni_joint *j, int32_t count);
+
 /* Meaning of p[], 0 where a type does not use it.
 
      type            0          1        2        3      4    5         6        7        8       9

@@ -56,11 +56,7 @@ static float inv_mass_of(const cn_world *world, int32_t body)
 
 static float joint_speed(const cn_world *world, const cni_joint *j)
 {
-	float sum = 0.0f;
-	int32_t k;
-	for (k = 0; k < CNI_JOINT_ROWS; ++k)
-		sum += cni_abs(j->impulse[k]);
-	return sum * cni_max(inv_mass_of(world, j->body[0]), inv_mass_of(world, j->body[1]));
+	return cni_joint_impulse_sum(world, j, CNI_JOINT_ROWS) * cni_max(inv_mass_of(world, j->body[0]), inv_mass_of(world, j->body[1]));
 }
 
 /* Islands are looked at only where the body itself presses or pulls that hard: a brick of a wall does not. */

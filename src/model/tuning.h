@@ -153,7 +153,7 @@ CNI_TUNING_FLOAT(CNI_CORE_TURN_MAX_RAD, 1.0f)
 /* ---------------------------------------------------------------- joints */
 
 /* Impulse (N s or N m s) of a row without a limit. */
-CNI_TUNING_FLOAT(CNI_NO_LIMIT, 1e9f)
+CNI_TUNING_FLOAT(CNI_NO_LIMIT, 1e30f)
 /* Radians in a step. Joints of faster bodies are solved by rows, which turn their lever arms exactly at any angle. */
 CNI_TUNING_FLOAT(CNI_LANE_TURN_MAX_RAD, 1.5f)
 /* Part of its gap that a directly solved joint closes in a substep. */
@@ -190,7 +190,7 @@ CNI_TUNING_FLOAT(CNI_LOOP_OPEN, 115.0f)
    heavy and light bodies in turn are exact up to 1:1e5. Contacts of such bodies know no joints: what one does to the lightest is rounding. */
 CNI_TUNING_FLOAT(CNI_ILL_MASS_RATIO, 1e4f)
 CNI_TUNING_FLOAT(CNI_ILL_PIVOT, 2e-5f)
-/* Radians, or metres. A joint that is farther beyond a limit, at ten times cni_soft_speed_most, is held there by others. */
+/* Radians, or length units. A joint that is farther beyond a limit, at ten times cni_soft_speed_most, is held there by others. */
 CNI_TUNING_FLOAT(CNI_LIMIT_FORCED, 0.01f)
 /* Greatest sum of the closing speeds of ropes that nothing touches: weights in a substep, part of the speed of their fastest body, and the least,
    length units a second. With the push speed alone nets of ropes that become exact throw their beads: 3 of 60 seeds worse than soft constraints.
@@ -200,7 +200,7 @@ CNI_TUNING_FLOAT(CNI_ROPE_CLOSING_PART, 0.1f)
 CNI_TUNING_FLOAT(CNI_ROPE_CLOSING_LEAST, 0.1f)
 /* Changes of the active set of joint rows in a pass. */
 CNI_TUNING_COUNT(CNI_JOINT_SET_ROUNDS, 3)
-/* Metres or radians. A limit that is nearer may be reached. */
+/* Length units or radians. A limit that is nearer may be reached. */
 CNI_TUNING_FLOAT(CNI_LIMIT_ROOM, 0.05f)
 /* Xi = h^2 sum(r.f) / I above which relative rotation is damped; see direct/geometric_stiffness.c. A light body under tension gains
    energy when Xi is much above one. */
