@@ -42,7 +42,7 @@ static float impulse_most(const cni_row *r, const cni_solve *s)
 
 static float missing_speed(const cn_world *world, const cni_node *n, const cni_row *r)
 {
-	return n->target - cni_row_speed(r, cni_motions(world) + n->ia, cni_motions(world) + n->ib);
+	return n->target - cni_lever_speed(&r->lever, cni_motions(world) + n->ia, cni_motions(world) + n->ib);
 }
 
 /* ---- which rows ---- */
@@ -106,7 +106,7 @@ void cni_active_levers(const cn_world *world, cni_sparse *sparse, const cni_comp
 		cni_node *n = &sparse->nodes[k];
 		if (!(n->active & CNI_ROW_IN_SET))
 			continue;
-		cni_levers_set(&n->levers, 2, cni_row_lever(active_row(world, n)));
+		cni_levers_set(&n->levers, 2, active_row(world, n)->lever);
 		n->compliance[2] = 0.0f;
 	}
 }
@@ -175,30 +175,19 @@ float cni_active_rope_missing(const cn_world *world, const cni_sparse *sparse, c
 
 /* ---- the set ---- */
 
-static float impulse_least(const cni_row *r, const cni_solve *s)
-{
-	return r->kind == CNI_ROW_MOTOR ? -r->limit * s->h : 0.0f;
-}
-
-/* Sets the impulse of a row and applies the difference along its present lever. */
-static void row_set_impulse(const cn_world *world, const cni_node *n, cni_row *r, float impulse)
-{
-	cni_row_push(r, impulse - r->impulse, cni_motions(world) + n->ia, cni_motions(world) + n->ib);
-	r->impulse = impulse;
-}
-
 int32_t cni_active_change(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c)
 {
 	int32_t k, changed = 0;
 	for (k = c->active_first; k != CNI_NONE; k = sparse->nodes[k].next_active) {
 		cni_node *n = &sparse->nodes[k];
 		cni_row *r = active_row(world, n);
-		float least = impulse_least(r, s), most = impulse_most(r, s);
+		float most = impulse_most(r, s), least = r->kind == CNI_ROW_MOTOR ? -most : 0.0f, bounded = cni_clamp(r->impulse, least, most);
 		if (n->active & CNI_ROW_IN_SET) {
 			if (r->impulse >= least && r->impulse <= most)
 				continue;
 			n->active = r->impulse > most ? CNI_ROW_AT_UPPER : 0u;
-			row_set_impulse(world, n, r, cni_clamp(r->impulse, least, most));
+			cni_lever_push(&r->lever, bounded - r->impulse, cni_motions(world) + n->ia, cni_motions(world) + n->ib);
+			r->impulse = bounded;
 		} else {
 			float missing = missing_speed(world, n, r);
 			if (n->active & CNI_ROW_AT_UPPER ? missing >= 0.0f : missing <= 0.0f)

@@ -12,7 +12,7 @@
  * Reads joint constraints, records, motion, the plan; writes batches, blocks of lanes, flags of joint constraints.
  */
 #include "base/cpu.h"
-#include "direct/batched_trees.h"
+#include "direct/direct_system.h"
 
 #include <string.h>
 
@@ -118,9 +118,8 @@ static void batches_reserve(batch_builder *m)
 		}
 	if (batches == 0)
 		return;
-	m->numbers = (float *)cni_arena_push(&m->world->arena, sizeof(float) * (uint64_t)numbers + sizeof(cni_tree_batch) * (uint64_t)batches);
+	m->numbers = (float *)cni_scratch_push(m->world, sizeof(float) * (uint64_t)numbers + sizeof(cni_tree_batch) * (uint64_t)batches);
 	if (m->numbers == NULL) {
-		m->world->warnings |= CN_WARNING_FRAME_MEMORY;
 		memset(m->waiting, 0, sizeof m->waiting);
 		return;
 	}

@@ -7,6 +7,4 @@
 #define CNI_WIDTH 4
 #define CNI_KERNEL cni_tree_batch_kernel_4
 #include "direct/batched_trees_kernel.h"
-#else
-typedef int cni_no_tree_batch_kernel_4;
 #endif

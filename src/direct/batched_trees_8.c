@@ -6,13 +6,11 @@
 
 #if CNI_HAS_WIDE_8
 /* Headers with functions of their own come first, so that only this file's code needs AVX2. */
-#include "direct/batched_trees.h"
+#include "direct/direct_system.h"
 #include <immintrin.h>
 #include "base/avx2_begin.h"
 #define CNI_WIDTH 8
 #define CNI_KERNEL cni_tree_batch_kernel_8
 #include "direct/batched_trees_kernel.h"
 #include "base/avx2_end.h"
-#else
-typedef int cni_no_tree_batch_kernel_8;
 #endif

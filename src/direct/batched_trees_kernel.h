@@ -1,11 +1,11 @@
 /*
- * direct/batched_trees_kernel.h - passes over batches of trees (direct/batched_trees.h) for one instruction set, with the formulas of
+ * direct/batched_trees_kernel.h - passes over batches of trees (direct/direct_system.h) for one instruction set, with the formulas of
  * joints/joint_kernel.h.
  *
  * A pin's two rows are (-1, 0, ay | 1, 0, -by) and (0, -1, -ax | 0, 1, bx), so multiplications by one or zero of linear/sparse_solve.c are
  * left out here; the rest, and its order, are the same.
  */
-#include "direct/batched_trees.h"
+#include "direct/direct_system.h"
 #include "joints/joint_kernel.h"
 
 /* The bodies of a batch's lanes, in a pass. */
@@ -18,11 +18,6 @@ CNI_INLINE const int32_t *body_index(const cni_tree_batch *batch, int32_t body, 
 	return (const int32_t *)(const void *)((const char *)batch->nodes + batch->source[body]) + l;
 }
 
-CNI_INLINE const float *body_inertia(const cni_tree_batch *batch, int32_t body, int32_t l)
-{
-	return (const float *)(const void *)((const char *)batch->nodes + batch->source[body] + CNI_SIDE_BYTES) + l;
-}
-
 /* Bits of the lanes from l on that have a tree. */
 CNI_INLINE uint32_t lanes_from(const cni_tree_batch *batch, int32_t l)
 {
@@ -32,8 +27,10 @@ CNI_INLINE uint32_t lanes_from(const cni_tree_batch *batch, int32_t l)
 CNI_INLINE void tree_bodies_gather(const cni_motion *motions, const cni_tree_batch *batch, int32_t l, tree_bodies *f)
 {
 	int32_t k;
-	for (k = 0; k < batch->bodies; ++k)
-		side_gather(motions, body_index(batch, k, l), body_inertia(batch, k, l), &f->body[k]);
+	for (k = 0; k < batch->bodies; ++k) {
+		const int32_t *index = body_index(batch, k, l);
+		side_gather(motions, index, (const float *)(const void *)((const char *)index + CNI_SIDE_BYTES), &f->body[k]);
+	}
 }
 
 CNI_INLINE void tree_bodies_scatter(cni_motion *motions, const cni_tree_batch *batch, int32_t l, const tree_bodies *f)
@@ -211,14 +208,6 @@ typedef struct pair {
 	cni_wide x, y;
 } pair;
 
-CNI_INLINE pair pivot_apply(const matrix *m, const pair *x)
-{
-	pair z;
-	z.x = m->m00 * x->x + m->m01 * x->y;
-	z.y = m->m10 * x->x + m->m11 * x->y;
-	return z;
-}
-
 CNI_INLINE cni_wide clamped(cni_wide x, float most)
 {
 	return cni_wide_min(cni_wide_max(x, cni_wide_of(-most)), cni_wide_of(most));
@@ -255,7 +244,9 @@ CNI_INLINE cni_wide system_solve(const cni_tree_batch *batch, int32_t l, pair *x
 	}
 	for (k = batch->tree.nodes - 1; k >= 0; --k) {
 		matrix pivot = pivot_load(pivot_row(batch, k, l));
-		x[k] = pivot_apply(&pivot, &x[k]);
+		pair y = x[k];
+		x[k].x = pivot.m00 * y.x + pivot.m01 * y.y;
+		x[k].y = pivot.m10 * y.x + pivot.m11 * y.y;
 		for (e = batch->first[k]; e < batch->first[k + 1]; ++e) {
 			matrix m = block_load(block_row(batch, e - batch->block_first, l));
 			const pair *z = &x[batch->below[e] - batch->node_first];

@@ -94,7 +94,7 @@ static void levers_read(const cn_world *world, cni_sparse *sparse, const cni_com
 			continue;
 		rows = cni_joint_constraints(world)[n->owner].rows;
 		for (i = 0; i < n->rows; ++i) {
-			cni_levers_set(&n->levers, i, cni_row_lever(&rows[i]));
+			cni_levers_set(&n->levers, i, rows[i].lever);
 			most = cni_row_push_speed(world, &rows[i]);
 			n->closing[i] = cni_clamp(rate * rows[i].error, -most, most);
 		}
@@ -267,6 +267,8 @@ int32_t cni_direct_apply(cn_world *world, cni_sparse *sparse, cni_component *c)
 			solution_push(world, sparse, c);
 			if (!checked || is_bounded(world, sparse, c)) {
 				dampers_forget(world, sparse, c);
+				if (c->active)
+					cni_active_impulses_add(world, sparse, c);
 				return 1;
 			}
 			cni_direct_motions_save(world, sparse, c, 1);
@@ -326,7 +328,6 @@ static int32_t set_solve(cn_world *world, const cni_solve *s, cni_sparse *sparse
 	for (round = 0;; ++round) {
 		if (!cni_direct_apply(world, sparse, c))
 			return 0;
-		cni_active_impulses_add(world, sparse, c);
 		if (round == CNI_JOINT_SET_ROUNDS || !cni_active_change(world, s, sparse, c))
 			return 1;
 		cni_direct_system(world, s, sparse, c);

@@ -39,25 +39,20 @@ static void friction_follow(cni_direct_contact *p)
 		p->state[2] = CNI_ROW_ACTIVE;
 }
 
-static void gap_speeds_of(const cni_direct_contact_pass *q, cni_direct_contact *p)
-{
-	const cni_motion *a = q->motions + p->ia, *b = q->motions + p->ib;
-	float touch = CNI_CONTACT_SET_TOUCHING * q->world->settings.length_unit;
-	int32_t i;
-	for (i = 0; i < 2; ++i) {
-		float s = p->mass[i] > 0.0f ? cni_direct_contact_separation(p, i, a, b) : 0.0f, push;
-		s = s > 0.0f ? cni_max(s - touch, 0.0f) : cni_min(s + touch, 0.0f);
-		push = CNI_CONTACT_SET_PUSH_RATE * q->s->inv_h * s;
-		p->gap_speed[i] = s > 0.0f ? s * q->s->inv_h : q->bias ? cni_max(push, -q->s->push_speed) : 0.0f;
-	}
-	friction_follow(p);
-}
-
 void cni_direct_contact_gap_speeds_find(const cni_direct_contact_pass *q)
 {
+	float touch = CNI_CONTACT_SET_TOUCHING * q->world->settings.length_unit;
 	cni_direct_contact *p;
-	for (p = q->first; p < q->end; ++p)
-		gap_speeds_of(q, p);
+	int32_t i;
+	for (p = q->first; p < q->end; ++p) {
+		for (i = 0; i < 2; ++i) {
+			float s = p->mass[i] > 0.0f ? cni_direct_contact_separation(p, i, q->motions + p->ia, q->motions + p->ib) : 0.0f, push;
+			s = s > 0.0f ? cni_max(s - touch, 0.0f) : cni_min(s + touch, 0.0f);
+			push = CNI_CONTACT_SET_PUSH_RATE * q->s->inv_h * s;
+			p->gap_speed[i] = s > 0.0f ? s * q->s->inv_h : q->bias ? cni_max(push, -q->s->push_speed) : 0.0f;
+		}
+		friction_follow(p);
+	}
 }
 
 /*
@@ -79,11 +74,10 @@ void cni_direct_contact_impulses_clear(const cni_direct_contact_pass *q)
 		const cni_node *n = &q->sparse->nodes[k];
 		for (i = 0; n->owner >= 0 && i < cni_joint_constraints(q->world)[n->owner].row_count; ++i) {
 			cni_row *r = &cni_joint_constraints(q->world)[n->owner].rows[i];
-			cni_lever l = cni_row_lever(r);
 			if (i < n->rows)
 				r->impulse = 0.0f;
 			else
-				cni_lever_push(&l, r->impulse, q->motions + n->ia, q->motions + n->ib);
+				cni_lever_push(&r->lever, r->impulse, q->motions + n->ia, q->motions + n->ib);
 		}
 	}
 }

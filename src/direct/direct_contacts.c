@@ -13,8 +13,6 @@
 #include "direct/direct_contact.h"
 #include "direct/direct_system.h"
 
-#include <string.h>
-
 /* ---- impulses and velocities: committed, saved, restored ---- */
 
 static void commit(const cni_direct_contact_pass *q)

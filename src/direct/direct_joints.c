@@ -15,9 +15,7 @@
 
 #include <string.h>
 
-/* ---- components ---- */
-
-/* ---- the step ---- */
+/* ---- the components of a step ---- */
 
 /* Work of a step, in the units of work_budget. */
 static int32_t work_planned(const cn_world *world, const cni_sparse *sparse)
@@ -294,7 +292,7 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 	world->direct_work = work_planned(world, out);
 }
 
-/* ---- impulses ---- */
+/* ---- a substep ---- */
 
 /* No consistent set of contacts was found: contacts are soft until the step ends, and the joints are solved directly without them. Where
    the step had no work left to find one, the island is asked again in the next. */
@@ -313,8 +311,6 @@ static void contacts_release(cn_world *world, cni_sparse *sparse, cni_component 
 	if (world->settings.solver == CN_SOLVER_AUTO && !c->denied)
 		cni_island_refuse(world, cni_awake_island(world, sparse->bodies[c->body_begin]), CN_TIER_REASON_NO_SET);
 }
-
-/* ---- a substep ---- */
 
 void cni_direct_warm_start(cn_world *world, const cni_solve *s)
 {

@@ -6,7 +6,7 @@
 #define CNI_DIRECT_DIRECT_SYSTEM_H
 
 #include "direct/direct.h"
-#include "joints/joint_constraint.h"
+#include "joints/joint_pass.h"
 
 /* ---- components of joints that are solved directly: direct/component.c ---- */
 
@@ -83,7 +83,7 @@ enum { CNI_ROW_IN_SET = 1u, CNI_ROW_AT_UPPER = 2u };
 static inline int32_t cni_limit_is_near(const cn_world *world, const cni_joint_constraint *w, int32_t row, float dt)
 {
 	const cni_row *r = &w->rows[row];
-	float speed = cni_row_speed(r, cni_motions(world) + w->ia, cni_motions(world) + w->ib);
+	float speed = cni_lever_speed(&r->lever, cni_motions(world) + w->ia, cni_motions(world) + w->ib);
 	return r->error < CNI_LIMIT_ROOM * world->settings.length_unit / cni_row_length(world, r) + 2.0f * dt * cni_abs(speed);
 }
 /* Selects the motor and limit rows; their joint constraints leave the lanes. Returns 0 for none, 1 for limits only, 2 with motors. */
@@ -102,13 +102,58 @@ void cni_active_impulses_add(const cn_world *world, const cni_sparse *sparse, co
 
 /* ---- batched trees: direct/batched_trees.c ---- */
 
+/*
+ * A batch has a tree in each of its lanes, all of one topology class (linear/topology_class.c). Node k of all of them is one block of lanes
+ * (joints/joint_pass.h), the batch's k-th, so a pass runs over blocks: springs, motors and limits colour by colour, then the pins of
+ * every tree as one system (linear/sparse.h).
+ *
+ *   nodes     [ block of node 0 | block of node 1 | ... ]      in the order of elimination
+ *   pivots    3 rows of lanes a node: 00, 01, 11 of the inverse
+ *   blocks    4 rows of lanes a coupling
+ *
+ * A pass reads and writes each body once. A lane whose bit in `direct` is clear had a system without a solution: its pins are solved one by
+ * one.
+ */
+typedef struct cni_tree_batch {
+	struct cni_joint_block *nodes;
+	float *pivots, *blocks;
+	const cni_coupling *couplings;         /* of the tree in the first lane; its nodes and blocks count from node_first and block_first */
+	const int32_t *first, *below;
+	int32_t node_first, block_first;
+	int32_t coupling_count;
+	int32_t lanes;
+	uint32_t selected, opening;            /* lanes, as bits, of trees to check and of trees that open: see cni_projection */
+	cni_topology tree;
+	uint8_t order[CNI_TOPOLOGY_NODES];         /* nodes by colour */
+	uint32_t source[CNI_TOPOLOGY_NODES + 2];   /* by body: byte offset of its index in `nodes`; its inertia: + CNI_SIDE_BYTES */
+	int32_t bodies;                        /* including the immovable one, if there is one */
+} cni_tree_batch;
+
+typedef struct cni_tree_batch_pass {
+	cni_motion *motions;
+	cni_velocity_start *starts;
+	cni_joint_pass joint;
+	float rate, push; /* part of a gap that is closed in a second, and the greatest closing speed */
+	float opening_speed; /* largest speed of an opening pin after contacts */
+	float turn_least; /* radians a second: slower arms stay on the tangent */
+} cni_tree_batch_pass;
+
+typedef void cni_tree_batch_fn(cni_tree_batch *batch, const cni_tree_batch_pass *pass);
+
+/* Passes: factors the systems; warm start; with error correction and rigid; after contacts: solves the lanes of batch->selected again that
+   contacts would open, and sets batch->opening (direct/joint_projection.c). */
+enum { CNI_TREES_BEGIN, CNI_TREES_WARM, CNI_TREES_SOLVE, CNI_TREES_RELAX, CNI_TREES_PROJECT, CNI_TREES_PASSES };
+typedef cni_tree_batch_fn *cni_tree_batch_kernel[CNI_TREES_PASSES];
+
+extern const cni_tree_batch_kernel cni_tree_batch_kernel_plain; /* width 1: any compiler */
+extern const cni_tree_batch_kernel cni_tree_batch_kernel_4;     /* SSE2, NEON, WASM SIMD */
+extern const cni_tree_batch_kernel cni_tree_batch_kernel_8;     /* AVX2, chosen at run time */
+
 /* 1: the component may join a batch: it is solved directly, and not by RATTLE. */
 int32_t cni_component_is_batched(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c);
 /* Makes batches of all components whose `batches` is set; components without a batch begin as single ones. */
 void cni_tree_batches_make(cn_world *world, const cni_solve *s, cni_sparse *sparse);
-/* Passes: factors the systems; warm start; with error correction and rigid; after contacts: solves the lanes of batch->selected again that
-   contacts would open, and sets batch->opening (direct/joint_projection.c). */
-enum { CNI_TREES_BEGIN, CNI_TREES_WARM, CNI_TREES_SOLVE, CNI_TREES_RELAX, CNI_TREES_PROJECT, CNI_TREES_PASSES };
+/* One of these passes over all batches. */
 void cni_tree_batches_run(cn_world *world, const cni_solve *s, int32_t pass);
 /* Reads the levers and gaps of a batched component from its lane, for cni_component_lock; then adds the impulses of the nodes to the lane. */
 void cni_tree_lane_read(const cni_solve *s, cni_component *c);

@@ -132,19 +132,15 @@ static void contact_center(const cone *q, cni_direct_contact *p, float speed)
 		p->dual[i] = slack_exists(p, i) ? q->tau * slack_mass(p, i) / p->slack[i] : 0.0f;
 }
 
-static float speed_missing(const cone *q, const cni_direct_contact *p)
-{
-	float speeds[3];
-	speeds_of(q, p, speeds);
-	return cni_max(cni_max(-speeds[0], -speeds[1]), cni_abs(speeds[2]));
-}
-
 static void center(cone *q)
 {
 	float speed = q->pass->speed_least;
 	cni_direct_contact *p;
-	for (p = q->pass->first; p < q->pass->end; ++p)
-		speed = cni_max(speed, speed_missing(q, p));
+	for (p = q->pass->first; p < q->pass->end; ++p) {
+		float speeds[3];
+		speeds_of(q, p, speeds);
+		speed = cni_max(speed, cni_max(cni_max(-speeds[0], -speeds[1]), cni_abs(speeds[2])));
+	}
 	q->tau = speed * speed;
 	for (p = q->pass->first; p < q->pass->end; ++p)
 		contact_center(q, p, speed);
@@ -193,14 +189,8 @@ static void contact_newton(cone *q, cni_direct_contact *p)
 		n->compliance[i] = row_exists(p, i) ? stiffness_of(p, i) + both : 0.0f;
 		if (row_exists(p, i)) {
 			cni_lever l = cni_direct_contact_lever(p, i);
-			if (row_exists(p, 2)) {
-				l.ax += p->slope * friction.ax;
-				l.ay += p->slope * friction.ay;
-				l.aw += p->slope * friction.aw;
-				l.bx += p->slope * friction.bx;
-				l.by += p->slope * friction.by;
-				l.bw += p->slope * friction.bw;
-			}
+			if (row_exists(p, 2))
+				cni_lever_add(&l, p->slope, &friction);
 			cni_levers_set(&n->levers, i, l);
 		}
 	}

@@ -54,8 +54,8 @@ void cni_geometric_stiffness_find(const cn_world *world, cni_sparse *sparse, con
 		w = &cni_joint_constraints(world)[sparse->nodes[k].owner];
 		for (i = 0; i < (w->rigid_count > 0 ? w->rigid_count : w->row_count); ++i) { /* a rope has its limit alone */
 			const cni_row *r = &w->rows[i];
-			fa = cni_madd(fa, r->impulse * inv_h, cni_v(r->ax, r->ay));
-			fb = cni_madd(fb, r->impulse * inv_h, cni_v(r->bx, r->by));
+			fa = cni_madd(fa, r->impulse * inv_h, cni_v(r->lever.ax, r->lever.ay));
+			fb = cni_madd(fb, r->impulse * inv_h, cni_v(r->lever.bx, r->lever.by));
 		}
 		pull_add(sparse, w, cni_rotate(sparse->turn[w->ia], w->start.ra), cni_rotate(sparse->turn[w->ib], w->start.rb), fa, fb);
 	}

@@ -362,12 +362,6 @@ static float friction_target(const cni_direct_contact *p, float m, float speed)
 	return cni_clamp(target, -most, most);
 }
 
-/* A point that touches reaches its speed after the impact, or stays where it is. */
-static float bounce_target(const cni_heavy_contact *h, const cni_direct_contact *p, int32_t row, float speed, float separation, float slop)
-{
-	return separation > slop ? p->j[row] : cni_max(p->j[row] + (h->bounce[row] - speed) / h->k[row][row], 0.0f);
-}
-
 static float row_target(const cn_world *world, const cni_solve *s, const cni_heavy_contact *h, const changes *d, int32_t row, float speed, int32_t pass)
 {
 	const cni_direct_contact *p = &d->p;
@@ -375,8 +369,8 @@ static float row_target(const cn_world *world, const cni_solve *s, const cni_hea
 	if (row == 2)
 		return pass == PASS_BOUNCE ? p->j[2] : friction_target(p, m, speed - h->tangent_speed);
 	separation = cni_direct_contact_separation(p, row, cni_motions(world) + d->p.ia, cni_motions(world) + d->p.ib);
-	if (pass == PASS_BOUNCE)
-		return bounce_target(h, p, row, speed, separation, world->settings.slop);
+	if (pass == PASS_BOUNCE) /* what touches reaches its speed after the impact */
+		return separation > world->settings.slop ? p->j[row] : cni_max(p->j[row] + (h->bounce[row] - speed) / h->k[row][row], 0.0f);
 	return cni_min(cni_max(h->impulse_most, p->j[row]), normal_target(s, p, row, m, speed, separation, pass));
 }
 
@@ -422,8 +416,6 @@ static void impulses_apply(cn_world *world, const cni_solve *s, cni_component *c
 	sides_set(s->direct, c, d);
 	if (!cni_direct_apply(world, s->direct, c))
 		cni_component_suspend(world, s->direct, c, 0);
-	else if (c->active)
-		cni_active_impulses_add(world, s->direct, c);
 }
 
 /* Finds the impulses of a pass. Returns 0 where they change nothing, so that they are not applied. */

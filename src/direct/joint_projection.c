@@ -12,8 +12,10 @@
  */
 #include "direct/direct.h"
 #include "contacts/contacts.h"
-#include "direct/batched_trees.h"
 #include "direct/direct_contact.h"
+#include "direct/direct_system.h"
+
+#include <string.h>
 
 /* Most rounds of contacts of a component in a substep: an impact travels through a tree joint by joint. */
 static int32_t rounds_of(const cni_component *c)
@@ -21,28 +23,21 @@ static int32_t rounds_of(const cni_component *c)
 	return cni_max_i(1, cni_min_i(c->end - c->begin - 1, CNI_PROJECTION_ROUNDS));
 }
 
-static void projection_add(cni_sparse *sparse, int32_t component)
-{
-	const cni_component *c = &sparse->components[component];
-	cni_projection *projection = &sparse->projections[sparse->projection_count];
-	int32_t k;
-	projection->component = component;
-	projection->selected = projection->opening = projection->changed = 0;
-	projection->slot_begin = CNI_NONE;
-	for (k = c->body_begin; k < c->body_end; ++k)
-		sparse->projection_of[sparse->bodies[k]] = sparse->projection_count;
-	++sparse->projection_count;
-}
-
 void cni_projection_mark(const cn_world *world, cni_sparse *sparse)
 {
-	int32_t k;
+	int32_t k, i;
 	for (k = 0; k < world->awake_count; ++k)
 		sparse->projection_of[k] = CNI_NONE;
+	memset(sparse->projections, 0, sizeof(cni_projection) * (size_t)sparse->component_count);
 	for (k = 0; k < sparse->component_count; ++k) {
 		const cni_component *c = &sparse->components[k];
-		if (!c->done && !c->has_contacts && cni_component_touched(world, sparse, c) > 0)
-			projection_add(sparse, k);
+		if (c->done || c->has_contacts || cni_component_touched(world, sparse, c) == 0)
+			continue;
+		for (i = c->body_begin; i < c->body_end; ++i)
+			sparse->projection_of[sparse->bodies[i]] = k;
+		sparse->projections[k].listed = 1;
+		sparse->projections[k].slot_begin = CNI_NONE;
+		++sparse->projection_count;
 	}
 }
 
@@ -138,9 +133,8 @@ static void body_slots_find(const cn_world *world, cni_sparse *sparse, const cni
 }
 
 /* Slots of the contacts of its bodies: fixed during the substeps. */
-static void slots_find(const cn_world *world, cni_sparse *sparse, cni_projection *projection)
+static void slots_find(const cn_world *world, cni_sparse *sparse, const cni_component *c, cni_projection *projection)
 {
-	const cni_component *c = &sparse->components[projection->component];
 	int32_t k;
 	projection->slot_begin = sparse->projection_slot_count;
 	for (k = c->body_begin; k < c->body_end; ++k)
@@ -148,12 +142,13 @@ static void slots_find(const cn_world *world, cni_sparse *sparse, cni_projection
 	projection->slot_end = sparse->projection_slot_count;
 }
 
-/* Marks the contacts of its bodies that are in lanes, and what they will change. */
-static void contacts_mark(const cn_world *world, cni_sparse *sparse, cni_projection *projection)
+/* Marks the contacts of a component's bodies that are in lanes, and what they will change. */
+static void contacts_mark(const cn_world *world, cni_sparse *sparse, int32_t component)
 {
+	cni_projection *projection = &sparse->projections[component];
 	int32_t k;
 	if (projection->slot_begin == CNI_NONE)
-		slots_find(world, sparse, projection);
+		slots_find(world, sparse, &sparse->components[component], projection);
 	for (k = projection->slot_begin; k < projection->slot_end; ++k) {
 		int32_t slot = sparse->projection_slots[k];
 		const cni_contact_block *block = cni_block_at(world, slot / CNI_LANES);
@@ -169,10 +164,10 @@ static void projections_select(cni_sparse *sparse, int32_t round)
 	int32_t k;
 	for (k = 0; k < sparse->batch_count; ++k)
 		sparse->batches[k].selected = 0;
-	for (k = 0; k < sparse->projection_count; ++k) {
+	for (k = 0; k < sparse->component_count; ++k) {
 		cni_projection *p = &sparse->projections[k];
-		const cni_component *c = &sparse->components[p->component];
-		p->selected = round == 0 || p->opening || p->changed;
+		const cni_component *c = &sparse->components[k];
+		p->selected = p->listed && (round == 0 || p->opening || p->changed);
 		p->changed = 0;
 		if (p->selected && c->batches)
 			sparse->batches[c->batch].selected |= 1u << c->lane;
@@ -210,9 +205,9 @@ static int32_t projections_run(cn_world *world, const cni_solve *s, int32_t roun
 	int32_t k, opening = 0;
 	projections_select(s->direct, round);
 	cni_tree_batches_run(world, s, CNI_TREES_PROJECT);
-	for (k = 0; k < s->direct->projection_count; ++k) {
+	for (k = 0; k < s->direct->component_count; ++k) {
 		cni_projection *p = &s->direct->projections[k];
-		cni_component *c = &s->direct->components[p->component];
+		cni_component *c = &s->direct->components[k];
 		p->opening = p->selected && (c->batches ? lane_project(world, s, c) : component_project(world, s, c)) && round < rounds_of(c);
 		opening |= p->opening;
 	}
@@ -225,9 +220,9 @@ void cni_direct_project(cn_world *world, const cni_solve *s)
 	if (s->direct == NULL || s->direct->projection_count == 0)
 		return;
 	for (round = 0; projections_run(world, s, round); ++round) {
-		for (k = 0; k < s->direct->projection_count; ++k)
+		for (k = 0; k < s->direct->component_count; ++k)
 			if (s->direct->projections[k].opening)
-				contacts_mark(world, s->direct, &s->direct->projections[k]);
+				contacts_mark(world, s->direct, k);
 		cni_contacts_solve_again(world, s);
 	}
 }

@@ -16,14 +16,11 @@
  * (cni_joint_trust). The method's energy oscillates about the true one by the square of the substep, so the account may be that large and
  * no larger; the excess is taken out of the velocities. So energy cannot creep, step by step.
  *
- * Three methods, each for failures of the one before. The joints remember failures, so that a component that fails again and again does not
- * try everything in every step:
- *   RATTLE       a step that does not close its joints, or gains much energy, is repeated with twice the substeps, as far as the work
- *                of the step allows (CNI_ATTEMPT_PASS_WORK);
- *   projection   x += h (v + h a), x to the nearest point where the joints are closed, v projected to J v = 0 there: such a
- *                projection cannot raise kinetic energy, so it survives whips that no substep resolves, and loses energy
- *                (about (h w)^2 of it a substep);
- *   soft         each joint by itself, as CN_SOLVER_SOFT does, where a system is beyond the range of floats.
+ * A step that does not close its joints, or gains much energy, is repeated with twice the substeps, as far as the work of the step allows
+ * (CNI_ATTEMPT_PASS_WORK), and then by projections: x += h (v + h a), x to the nearest point where the joints are closed, v projected to
+ * J v = 0 there. Such a projection cannot raise kinetic energy, so it survives whips that no substep resolves, and loses energy (about
+ * (h w)^2 of it a substep). Last, each joint is soft, where a system is beyond the range of floats. The joints remember failures, so that a
+ * component that fails again and again does not try everything in every step.
  *
  * The number of substeps follows the geometric stiffness up to a limit; dampers do the rest: direct/geometric_stiffness.c.
  *
@@ -87,15 +84,10 @@ int32_t cni_component_uses_rattle(cn_world *world, const cni_solve *s, const cni
 
 /* ---- kinematic ends: at constant velocity ---- */
 
-static int32_t is_base(const rattle_step *g, int32_t index)
-{
-	return index != 0 && g->motions[index].inv_mass == 0.0f && g->motions[index].inv_inertia == 0.0f;
-}
-
 static void base_place(const rattle_step *g, int32_t index)
 {
 	cni_motion *m = g->motions + index;
-	if (!is_base(g, index))
+	if (index == 0 || m->inv_mass != 0.0f || m->inv_inertia != 0.0f)
 		return;
 	m->dpx = g->elapsed * m->vx;
 	m->dpy = g->elapsed * m->vy;
@@ -315,7 +307,7 @@ static int32_t substep(rattle_step *g)
 
 static float rope_speed(const rattle_step *g, const cni_joint_constraint *w)
 {
-	return cni_row_speed(&w->rows[0], g->motions + w->ia, g->motions + w->ib);
+	return cni_lever_speed(&w->rows[0].lever, g->motions + w->ia, g->motions + w->ib);
 }
 
 /* A loose rope that would be too long after the next substep. */

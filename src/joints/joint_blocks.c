@@ -16,7 +16,6 @@
 #include "base/bitset.h"
 #include "base/cpu.h"
 #include "joints/joint_pass.h"
-#include "joints/joint_row.h"
 
 #include <string.h>
 
@@ -251,7 +250,7 @@ static int32_t is_locked(const cn_world *world, int32_t body)
 static int32_t lane_fill_again(cn_world *world, const cni_solve *s, struct cni_lane_setup *setup, int32_t k)
 {
 	const cni_joint_constraint *w = cni_joint_constraints(world) + k;
-	int32_t l = w->kept_lane % CNI_LANES;
+	int32_t l = w->kept_lane % CNI_LANES, is_new = w->record->inv_h == 0.0f;
 	cni_joint_block *block = cni_joint_blocks(world) + w->kept_lane / CNI_LANES;
 	if (block->ia[l] != w->ia || block->ib[l] != w->ib || w->kept_parts != w->parts || block->form != w->form ||
 	    block->small != cni_joint_is_of_small(world, w) || !cni_joint_fits_lane(world, s, w) ||
@@ -261,8 +260,7 @@ static int32_t lane_fill_again(cn_world *world, const cni_solve *s, struct cni_l
 	if (block->parts)
 		block->spring_j[l] = block->motor_j[l] = block->limit_j[l] = 0.0f;
 	cni_joint_lane_fill(world, s, &setup->spring, k, block, l);
-	setup->special |= is_locked(world, w->record->body[0]) || is_locked(world, w->record->body[1]) ||
-	                  (w->flags & (CNI_CONSTRAINT_FRESH | CNI_CONSTRAINT_TAUT)) != 0;
+	setup->special |= is_new || (w->flags & CNI_CONSTRAINT_TAUT) || is_locked(world, w->record->body[0]) || is_locked(world, w->record->body[1]);
 	++setup->filled;
 	return 1;
 }
@@ -298,13 +296,6 @@ int32_t cni_joint_lanes_need_no_plan(const cn_world *world)
 	return kept->alone && kept->lanes > 0 && kept->filled == kept->lanes && kept->budget == budget_of(world) && planning_is_needless(world);
 }
 
-/* Only called for kept lanes: locked bodies are not known for others. */
-static void no_plan_record(cn_world *world, const cni_solve *s)
-{
-	world->joint_lanes.alone = s->direct == NULL && !world->direct_failed && planning_is_needless(world);
-	world->joint_lanes.budget = budget_of(world);
-}
-
 static void lanes_empty(cn_world *world)
 {
 	int32_t k;
@@ -312,15 +303,6 @@ static void lanes_empty(cn_world *world)
 		if (!(cni_joint_constraints(world)[k].flags & CNI_CONSTRAINT_BATCHED))
 			cni_joint_constraints(world)[k].lane = CNI_NONE;
 	memset(world->joint_blocks_of, 0, sizeof world->joint_blocks_of);
-}
-
-/* left: number of joints without a lane. */
-static void lanes_keep(cn_world *world, const cni_solve *s, int32_t left)
-{
-	cni_lanes_kept *kept = &world->joint_lanes;
-	kept->lanes = !CNI_ON(KEPT_LANES) || left > 0 || (s->direct != NULL && s->direct->node_count > 0) ? 0 : world->awake_joints.count;
-	kept->blocks = world->joint_blocks.count;
-	kept->works = world->joint_work.capacity;
 }
 
 /* The angle is only computed for a spring or limit. */
@@ -369,15 +351,21 @@ static int32_t lanes_gather(cn_world *world, const cni_solve *s)
 
 void cni_joint_blocks_gather(cn_world *world, const cni_solve *s)
 {
-	if (lanes_are_kept(world, s)) {
-		no_plan_record(world, s);
-		world->joint_blocks.count = world->joint_lanes.blocks;
+	cni_lanes_kept *kept = &world->joint_lanes;
+	int32_t left;
+	if (lanes_are_kept(world, s)) { /* locked bodies are known for these alone */
+		kept->alone = s->direct == NULL && !world->direct_failed && planning_is_needless(world);
+		kept->budget = budget_of(world);
+		world->joint_blocks.count = kept->blocks;
 		world->joint_plain_first = CNI_NONE;
 		return;
 	}
-	world->joint_lanes.alone = 0;
 	lanes_empty(world);
-	lanes_keep(world, s, lanes_gather(world, s));
+	left = lanes_gather(world, s);
+	kept->alone = 0;
+	kept->lanes = !CNI_ON(KEPT_LANES) || left > 0 || (s->direct != NULL && s->direct->node_count > 0) ? 0 : world->awake_joints.count;
+	kept->blocks = world->joint_blocks.count;
+	kept->works = world->joint_work.capacity;
 	blocks_list(world);
 }
 

@@ -13,27 +13,30 @@
  * Reads records and motion; writes joint constraints, start, the records' impulses.
  */
 #include "joints/joint_constraint.h"
-#include "joints/joint_row.h"
 #include "model/tuning.h"
 
 /* ---- masses ---- */
 
-/* Inverse of the symmetric K of one to three rows; a singular K has the inverse 0. */
-CNI_INLINE void block_invert(const cni_row *r, int32_t count, const cni_motion *a, const cni_motion *b, float *inv)
+static float mass_of(const cni_row *r, int32_t i, int32_t k, const cni_motion *a, const cni_motion *b)
+{
+	return cni_lever_mass(&r[i].lever, &r[k].lever, a, b);
+}
+
+void cni_rows_invert(const cni_row *r, int32_t count, const cni_motion *a, const cni_motion *b, float *inv)
 {
 	if (count == 1) {
-		float k = cni_row_mass(r, r, a, b);
+		float k = mass_of(r, 0, 0, a, b);
 		inv[0] = k > 0.0f ? 1.0f / k : 0.0f;
 	} else if (count == 2) {
-		float k00 = cni_row_mass(r, r, a, b), k01 = cni_row_mass(r, r + 1, a, b), k11 = cni_row_mass(r + 1, r + 1, a, b);
+		float k00 = mass_of(r, 0, 0, a, b), k01 = mass_of(r, 0, 1, a, b), k11 = mass_of(r, 1, 1, a, b);
 		float det = k00 * k11 - k01 * k01;
 		float d = det > 0.0f ? 1.0f / det : 0.0f;
 		inv[0] = k11 * d;
 		inv[1] = -k01 * d;
 		inv[3] = k00 * d;
 	} else if (count == 3) {
-		float k00 = cni_row_mass(r, r, a, b), k01 = cni_row_mass(r, r + 1, a, b), k02 = cni_row_mass(r, r + 2, a, b);
-		float k11 = cni_row_mass(r + 1, r + 1, a, b), k12 = cni_row_mass(r + 1, r + 2, a, b), k22 = cni_row_mass(r + 2, r + 2, a, b);
+		float k00 = mass_of(r, 0, 0, a, b), k01 = mass_of(r, 0, 1, a, b), k02 = mass_of(r, 0, 2, a, b);
+		float k11 = mass_of(r, 1, 1, a, b), k12 = mass_of(r, 1, 2, a, b), k22 = mass_of(r, 2, 2, a, b);
 		float c00 = k11 * k22 - k12 * k12, c01 = k02 * k12 - k01 * k22, c02 = k01 * k12 - k02 * k11;
 		float det = k00 * c00 + k01 * c01 + k02 * c02;
 		float d = det > 0.0f ? 1.0f / det : 0.0f;
@@ -44,11 +47,6 @@ CNI_INLINE void block_invert(const cni_row *r, int32_t count, const cni_motion *
 		inv[4] = (k01 * k02 - k00 * k12) * d;
 		inv[5] = (k00 * k11 - k01 * k01) * d;
 	}
-}
-
-void cni_rows_invert(const cni_row *r, int32_t count, const cni_motion *a, const cni_motion *b, float *inv)
-{
-	block_invert(r, count, a, b, inv);
 }
 
 /* ---- frames ---- */
@@ -91,22 +89,12 @@ static void row_shares(const cni_joint_constraint *w, const cni_row *r, const cn
 	float k[CNI_JOINT_RIGID_ROWS];
 	int32_t i, l;
 	for (i = 0; i < w->rigid_count; ++i)
-		k[i] = cni_row_mass(&w->rows[i], r, a, b);
+		k[i] = cni_lever_mass(&w->rows[i].lever, &r->lever, a, b);
 	for (i = 0; i < w->rigid_count; ++i) {
 		out[i] = 0.0f;
 		for (l = 0; l < w->rigid_count; ++l)
 			out[i] -= w->numbers->inverse[cni_inverse_at(i, l)] * k[l];
 	}
-}
-
-static void row_add(cni_row *r, float share, const cni_row *rigid)
-{
-	r->ax += share * rigid->ax;
-	r->ay += share * rigid->ay;
-	r->aw += share * rigid->aw;
-	r->bx += share * rigid->bx;
-	r->by += share * rigid->by;
-	r->bw += share * rigid->bw;
 }
 
 /* Rigid rows that may yield, by their own stiffness or a bound on their force, must stay coupled to the other rows. */
@@ -123,7 +111,7 @@ static void row_decouple(cni_joint_constraint *w, int32_t k, const cni_motion *a
 	int32_t i;
 	row_shares(w, r, a, b, share);
 	for (i = 0; i < w->rigid_count; ++i)
-		row_add(r, share[i], &w->rows[i]);
+		cni_lever_add(&r->lever, share[i], &w->rows[i].lever);
 }
 
 static int32_t rows_together(const cni_row *rows, int32_t count)
@@ -142,12 +130,12 @@ static void rows_build(cni_joint_constraint *w, const cni_motion *a, const cni_m
 	w->row_count = w->make_rows(w->record, &f, w->rows);
 	if (w->rigid_count < 0)
 		w->rigid_count = rows_together(w->rows, w->row_count);
-	block_invert(w->rows, w->rigid_count, a, b, w->numbers->inverse);
+	cni_rows_invert(w->rows, w->rigid_count, a, b, w->numbers->inverse);
 	for (k = w->rigid_count; k < w->row_count; ++k) {
 		float mass;
 		if (constraint_is_decoupled(w))
 			row_decouple(w, k, a, b);
-		mass = cni_row_mass(&w->rows[k], &w->rows[k], a, b);
+		mass = mass_of(w->rows, k, k, a, b);
 		w->numbers->single_mass[k] = mass > 0.0f ? 1.0f / mass : 0.0f;
 	}
 }
@@ -155,7 +143,7 @@ static void rows_build(cni_joint_constraint *w, const cni_motion *a, const cni_m
 void cni_joint_constraint_rows(cni_joint_constraint *w, const cni_motion *motions, const cni_rot *turns)
 {
 	const cni_motion *a = motions + w->ia, *b = motions + w->ib;
-	if (w->make_rows == cni_joint_revolute.rows) {
+	if (w->make_rows == cni_joint_revolute_rows) {
 		cni_vec2 ra = cni_rotate(turns[w->ia], w->start.ra), rb = cni_rotate(turns[w->ib], w->start.rb);
 		cni_rows_point_turn(w->rows, ra, rb, constraint_gap(w, a, b, ra, rb));
 	} else {
@@ -211,12 +199,8 @@ static uint32_t constraint_flags(const cni_joint *j)
 		flags |= CNI_CONSTRAINT_BREAKABLE;
 	if (uses & CNI_USES_GROUNDS)
 		flags |= CNI_CONSTRAINT_GROUNDS;
-	if (uses & CNI_USES_TURNS)
-		flags |= CNI_CONSTRAINT_TURNS;
 	if (j->stiffness_hertz > 0.0f || (uses & CNI_USES_DRIVE))
 		flags |= CNI_CONSTRAINT_SPRINGY;
-	if (j->inv_h == 0.0f)
-		flags |= CNI_CONSTRAINT_FRESH;
 	return flags;
 }
 
@@ -323,9 +307,8 @@ void cni_joint_rows_end(const cn_world *world, const cni_joint_constraint *w, cn
 
 static int32_t row_turned_back(const cni_row *r, const cni_row *old)
 {
-	if (r->angular)
-		return r->bw * old->bw < 0.0f;
-	return r->bx * old->bx + r->by * old->by + r->ax * old->ax + r->ay * old->ay < 0.0f;
+	const cni_lever *l = &r->lever, *was = &old->lever;
+	return (r->angular ? l->bw * was->bw : l->bx * was->bx + l->by * was->by + l->ax * was->ax + l->ay * was->ay) < 0.0f;
 }
 
 /* A directly solved pin without other rows. Its inverse, which nothing reads while it is, stays that of the step's beginning. */
@@ -333,11 +316,11 @@ static void pin_renew(cn_world *world, cni_joint_constraint *w)
 {
 	const cni_motion *a = cni_motions(world) + w->ia, *b = cni_motions(world) + w->ib;
 	cni_vec2 ra = cni_rotate(cni_rot_small(a->theta), w->start.ra), rb = cni_rotate(cni_rot_small(b->theta), w->start.rb);
-	cni_row *x = w->rows, *y = w->rows + 1;
-	float turn_a = x->aw * x->impulse + y->aw * y->impulse, turn_b = x->bw * x->impulse + y->bw * y->impulse;
+	const cni_lever *x = &w->rows[0].lever, *y = &w->rows[1].lever;
+	float jx = w->rows[0].impulse, jy = w->rows[1].impulse, turn_a = x->aw * jx + y->aw * jy, turn_b = x->bw * jx + y->bw * jy;
 	cni_rows_point_turn(w->rows, ra, rb, constraint_gap(w, a, b, ra, rb));
-	cni_starts(world)[w->ia].w -= a->inv_inertia * (x->aw * x->impulse + y->aw * y->impulse - turn_a);
-	cni_starts(world)[w->ib].w -= b->inv_inertia * (x->bw * x->impulse + y->bw * y->impulse - turn_b);
+	cni_starts(world)[w->ia].w -= a->inv_inertia * (x->aw * jx + y->aw * jy - turn_a);
+	cni_starts(world)[w->ib].w -= b->inv_inertia * (x->bw * jx + y->bw * jy - turn_b);
 }
 
 static void rows_renew(cn_world *world, cni_joint_constraint *w)
@@ -354,11 +337,11 @@ static void rows_renew(cn_world *world, cni_joint_constraint *w)
 	change_b.vx = change_b.vy = change_b.w = 0.0f;
 	for (k = 0; k < w->row_count; ++k) {
 		float impulse = old[k].impulse;
-		cni_row_push(&old[k], -impulse, &change_a, &change_b);
+		cni_lever_push(&old[k].lever, -impulse, &change_a, &change_b);
 		if (row_turned_back(&w->rows[k], &old[k]))
 			impulse = 0.0f; /* the limit changed sides */
 		w->rows[k].impulse = impulse;
-		cni_row_push(&w->rows[k], impulse, &change_a, &change_b);
+		cni_lever_push(&w->rows[k].lever, impulse, &change_a, &change_b);
 	}
 	sa->vx -= change_a.vx;
 	sa->vy -= change_a.vy;
@@ -370,7 +353,7 @@ static void rows_renew(cn_world *world, cni_joint_constraint *w)
 
 void cni_joint_rows_renew(cn_world *world, cni_joint_constraint *w)
 {
-	if (w->make_rows == cni_joint_revolute.rows && w->row_count == 2 && (w->flags & CNI_CONSTRAINT_DIRECT))
+	if (w->make_rows == cni_joint_revolute_rows && w->row_count == 2 && (w->flags & CNI_CONSTRAINT_DIRECT))
 		pin_renew(world, w);
 	else
 		rows_renew(world, w);

@@ -13,12 +13,10 @@ enum {
 	CNI_CONSTRAINT_BOUNDED = 1u << 1,   /* force_max or torque_max is set */
 	CNI_CONSTRAINT_BREAKABLE = 1u << 2, /* a break threshold is set */
 	CNI_CONSTRAINT_GROUNDS = 1u << 3,   /* d and e start at points of the world */
-	CNI_CONSTRAINT_TURNS = 1u << 4,     /* counts whole turns */
-	CNI_CONSTRAINT_DIRECT = 1u << 5,    /* its rigid rows are solved with its neighbours': direct/direct_joints.c */
-	CNI_CONSTRAINT_FINISHED = 1u << 6,     /* its whole step is done: direct/rattle.c */
-	CNI_CONSTRAINT_FRESH = 1u << 7,     /* this is its first step */
-	CNI_CONSTRAINT_BATCHED = 1u << 8,      /* in a lane of a batch, with its pin: direct/batched_trees.c */
-	CNI_CONSTRAINT_TAUT = 1u << 9          /* a rope whose limit may be solved with its neighbours' rows: direct/active_rows.c */
+	CNI_CONSTRAINT_DIRECT = 1u << 4,    /* its rigid rows are solved with its neighbours': direct/direct_joints.c */
+	CNI_CONSTRAINT_FINISHED = 1u << 5,  /* its whole step is done: direct/rattle.c */
+	CNI_CONSTRAINT_BATCHED = 1u << 6,   /* in a lane of a batch, with its pin: direct/batched_trees.c */
+	CNI_CONSTRAINT_TAUT = 1u << 7       /* a rope whose limit may be solved with its neighbours' rows: direct/active_rows.c */
 };
 
 /* Forms of lanes: joints/joint_pass.h. */
@@ -96,11 +94,6 @@ CNI_INLINE void cni_component_prefetch(const cn_world *world, const cni_sparse *
 		if (sparse->nodes[k].owner >= 0)
 			cni_joint_prefetch(cni_joint_constraints(world)[sparse->nodes[k].owner].record);
 }
-static inline cni_lever cni_row_lever(const cni_row *r)
-{
-	cni_lever l = { r->ax, r->ay, r->aw, r->bx, r->by, r->bw };
-	return l;
-}
 /* Metres for one unit of a row's error or speed, where it is compared with those of others: a radian counts as a length unit. */
 static inline float cni_row_length(const cn_world *world, const cni_row *r)
 {
@@ -117,21 +110,6 @@ static inline float cni_motor_target(const cni_row *r, float inv_h, float rate)
 {
 	float least = r->below * (r->below > 0.0f ? inv_h : rate), most = r->above * (r->above > 0.0f ? inv_h : rate);
 	return cni_min(cni_max(r->target, -least), most);
-}
-static inline float cni_row_mass(const cni_row *r, const cni_row *q, const cni_motion *a, const cni_motion *b)
-{
-	return a->inv_mass * (r->ax * q->ax + r->ay * q->ay) + a->inv_inertia * r->aw * q->aw +
-	       b->inv_mass * (r->bx * q->bx + r->by * q->by) + b->inv_inertia * r->bw * q->bw;
-}
-static inline float cni_row_speed(const cni_row *r, const cni_motion *a, const cni_motion *b)
-{
-	cni_lever l = cni_row_lever(r);
-	return cni_lever_speed(&l, a, b);
-}
-static inline void cni_row_push(const cni_row *r, float impulse, cni_motion *a, cni_motion *b)
-{
-	cni_lever l = cni_row_lever(r);
-	cni_lever_push(&l, impulse, a, b);
 }
 /* Index of the entry for rows i and k in the inverse of the first rows' K. */
 static inline int32_t cni_inverse_at(int32_t i, int32_t k)
@@ -154,7 +132,7 @@ void cni_joint_rows_need(cn_world *world, const cni_solve *s, cni_joint_constrai
 void cni_joint_rows_end(const cn_world *world, const cni_joint_constraint *w, cni_joint *j);
 /* Builds the rows at the bodies' new positions with their present impulses; the change of the impulses' response goes into start. */
 void cni_joint_rows_renew(cn_world *world, cni_joint_constraint *w);
-/* Inverse of the symmetric K of one to three rows, as numbers->inverse; a singular K has the inverse 0. */
+/* Inverse of the symmetric K of one to three rows, as numbers->inverse; a singular K has the inverse 0. Other counts: nothing. */
 void cni_rows_invert(const cni_row *r, int32_t count, const cni_motion *a, const cni_motion *b, float *inv);
 /* The type's rows without decoupling, for joints whose rows were built in this step and whose other rows are limits that cannot act;
    turns: rotations by the motions' theta. Leaves impulses undefined, and the other rows of pins as they were. */
@@ -163,14 +141,5 @@ void cni_joint_constraint_rows(cni_joint_constraint *w, const cni_motion *motion
 void cni_joint_constraint_ahead(const cni_joint_constraint *w, const cni_motion *motions, float h, float *errors);
 /* Records the largest reaction of the step. */
 void cni_joint_constraint_stress(cni_joint_constraint *w, const cni_motion *b, float inv_h);
-
-/* ---- joints in lanes: joints/joint_blocks.c ---- */
-
-struct cni_lane_setup; /* joints/joint_pass.h */
-/* Sets up joint constraint k at the beginning of a step if it can be solved in a lane, and fills its lane of the last step if that is kept;
-   0: it cannot. Workers may call this for different k at once. */
-int32_t cni_joint_constraint_widen(cn_world *world, const cni_solve *s, struct cni_lane_setup *setup, int32_t k);
-/* 1: all joints are in their lanes of the last step, in which nothing was solved directly; so planning can be skipped. */
-int32_t cni_joint_lanes_need_no_plan(const cn_world *world);
 
 #endif

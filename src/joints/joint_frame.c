@@ -3,18 +3,12 @@
  */
 #include "joints/joint_type.h"
 
-/* Centre of mass - point, without losing digits far from the origin. */
-static cni_vec2 center_from(const cni_body *b, cni_vec2 point)
-{
-	return cni_v((b->cx - point.x) + b->cx_low, (b->cy - point.y) + b->cy_low);
-}
-
-/* Anchor - ground point of a pulley's side; r is from the centre of mass to the anchor. */
+/* Anchor - ground point of a pulley's side, without losing digits far from the origin; r is from the centre of mass to the anchor. */
 static cni_vec2 from_ground(const cni_body *b, const cni_joint *j, int32_t side, cni_vec2 r)
 {
 	const float *ground = j->p + (side == 0 ? CNI_P_PULLEY_GROUND_A : CNI_P_PULLEY_GROUND_B);
 	cni_vec2 point = cni_v(ground[0], ground[1]);
-	return b == NULL ? cni_sub(j->anchor[side], point) : cni_add(center_from(b, point), r);
+	return b == NULL ? cni_sub(j->anchor[side], point) : cni_add(cni_v((b->cx - point.x) + b->cx_low, (b->cy - point.y) + b->cy_low), r);
 }
 
 float cni_joint_frame_angle(const cn_world *world, const cni_joint *j)
@@ -119,10 +113,25 @@ static cn_velocity side_velocity(const cn_world *world, const cni_joint *j, int3
 float cni_joint_speed(const cn_world *world, const cni_joint *j)
 {
 	cni_joint_frame f = cni_joint_frame_make(world, j);
-	cni_row r = cni_joint_type_of(j->type)->speed_row(j, &f);
+	cni_lever l = cni_joint_type_of(j->type)->speed_row(j, &f).lever;
 	cn_velocity a = side_velocity(world, j, 0), b = side_velocity(world, j, 1);
-	return cni_saturate(r.ax * a.linear_mps.x + r.ay * a.linear_mps.y + r.aw * a.angular_radps +
-	                    r.bx * b.linear_mps.x + r.by * b.linear_mps.y + r.bw * b.angular_radps);
+	return cni_saturate(l.ax * a.linear_mps.x + l.ay * a.linear_mps.y + l.aw * a.angular_radps +
+	                    l.bx * b.linear_mps.x + l.by * b.linear_mps.y + l.bw * b.angular_radps);
+}
+
+void cni_rows_impulse(const cni_row *rows, int32_t count, cni_vec2 rb, cni_vec2 *out_linear, float *out_angular)
+{
+	cni_vec2 linear = { 0.0f, 0.0f };
+	float angular = 0.0f;
+	int32_t k;
+	for (k = 0; k < count; ++k) {
+		cni_vec2 b = cni_v(rows[k].lever.bx, rows[k].lever.by);
+		linear = cni_madd(linear, rows[k].impulse, b);
+		/* The part of the angular Jacobian that is not the force's own moment about the centre. */
+		angular += rows[k].impulse * (rows[k].lever.bw - cni_cross(rb, b));
+	}
+	*out_linear = linear;
+	*out_angular = angular;
 }
 
 void cni_joint_reaction(const cn_world *world, const cni_joint *j, cn_vec2 *out_force, float *out_torque)

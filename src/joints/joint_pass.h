@@ -18,7 +18,7 @@
  *   held      (bits of lanes) the measure is rigid: the angle of a weld, the length of a rod. Its impulse is the spring's, with the
  *             coefficients of rigid joints, and it is solved in the relax pass too
  *
- * Blocks of a batch (direct/batched_trees.h) are in no colour; `direct` has the lanes whose pins the batch solves.
+ * Blocks of a batch (direct/batched_trees.c) are in no colour; `direct` has the lanes whose pins the batch solves.
  */
 #ifndef CNI_JOINTS_JOINT_PASS_H
 #define CNI_JOINTS_JOINT_PASS_H
@@ -124,6 +124,11 @@ struct cni_lane_setup {
 	int32_t filled;  /* number of lanes filled again */
 	int32_t special; /* 1: some of them have bodies locked along an axis, or new joints */
 };
+/* Sets up joint constraint k at the beginning of a step if it can be solved in a lane, and fills its lane of the last step if that is kept;
+   0: it cannot. Workers may call this for different k at once. */
+int32_t cni_joint_constraint_widen(cn_world *world, const cni_solve *s, struct cni_lane_setup *setup, int32_t k);
+/* 1: all joints are in their lanes of the last step, in which nothing was solved directly; so planning can be skipped. */
+int32_t cni_joint_lanes_need_no_plan(const cn_world *world);
 /* Fills an empty lane with joint constraint k. */
 void cni_joint_lane_fill(cn_world *world, const cni_solve *s, cni_lane_spring *spring, int32_t k, cni_joint_block *block, int32_t l);
 /* 1: both bodies are slow enough for the rotation series of lanes. */

@@ -57,7 +57,7 @@ void cni_joints_warm_start(cn_world *world, const cni_solve *s)
 		w = cni_joint_constraints(world) + k;
 		for (r = 0; r < w->row_count; ++r) {
 			w->rows[r].impulse *= s->joint_warm_scale;
-			cni_row_push(&w->rows[r], w->rows[r].impulse, cni_motions(world) + w->ia, cni_motions(world) + w->ib);
+			cni_lever_push(&w->rows[r].lever, w->rows[r].impulse, cni_motions(world) + w->ia, cni_motions(world) + w->ib);
 		}
 	}
 	cni_joint_blocks_run(world, s, s->joint_kernel->warm, 0);
@@ -71,7 +71,7 @@ CNI_INLINE void block_solve(const cni_row *rows, int32_t count, const float *inv
 	float rhs[CNI_JOINT_RIGID_ROWS];
 	int32_t i, k;
 	for (i = 0; i < count; ++i)
-		rhs[i] = soft->mass_scale * cni_row_speed(&rows[i], a, b) + soft->bias_scale * rows[i].error;
+		rhs[i] = soft->mass_scale * cni_lever_speed(&rows[i].lever, a, b) + soft->bias_scale * rows[i].error;
 	for (i = 0; i < count; ++i) {
 		dj[i] = -soft->impulse_scale * rows[i].impulse;
 		for (k = 0; k < count; ++k)
@@ -84,7 +84,7 @@ CNI_INLINE void block_push(cni_row *rows, int32_t count, const float *dj, cni_mo
 	int32_t i;
 	for (i = 0; i < count; ++i) {
 		rows[i].impulse += dj[i];
-		cni_row_push(&rows[i], dj[i], a, b);
+		cni_lever_push(&rows[i].lever, dj[i], a, b);
 	}
 }
 
@@ -151,18 +151,18 @@ static void solve_rigid(cni_joint_constraint *w, cni_motion *a, cni_motion *b, c
 /* A soft row is clamped to its limit; a spring has none. */
 static void solve_spring(cni_row *r, float mass, cni_motion *a, cni_motion *b, const cni_soft *soft, float h)
 {
-	float dj = -mass * (soft->mass_scale * cni_row_speed(r, a, b) + soft->bias_scale * r->error) - soft->impulse_scale * r->impulse;
+	float dj = -mass * (soft->mass_scale * cni_lever_speed(&r->lever, a, b) + soft->bias_scale * r->error) - soft->impulse_scale * r->impulse;
 	if (r->limit > 0.0f)
 		dj = cni_clamp(r->impulse + dj, -r->limit * h, r->limit * h) - r->impulse;
 	r->impulse += dj;
-	cni_row_push(r, dj, a, b);
+	cni_lever_push(&r->lever, dj, a, b);
 }
 
 static void solve_motor(cni_row *r, float mass, cni_motion *a, cni_motion *b, const cni_solve *s, int32_t bias)
 {
 	float most = r->limit * s->h, old = r->impulse;
-	r->impulse = cni_clamp(old - mass * (cni_row_speed(r, a, b) - cni_motor_target(r, s->inv_h, cni_soft_error_rate(&s->joint, bias))), -most, most);
-	cni_row_push(r, r->impulse - old, a, b);
+	r->impulse = cni_clamp(old - mass * (cni_lever_speed(&r->lever, a, b) - cni_motor_target(r, s->inv_h, cni_soft_error_rate(&s->joint, bias))), -most, most);
+	cni_lever_push(&r->lever, r->impulse - old, a, b);
 }
 
 /* A remaining gap bounds the speed (speculative); beyond the limit the row is soft. */
@@ -172,7 +172,7 @@ static void solve_limit(const cni_joint_constraint *w, cni_row *r, float mass, c
 	float speed, old = r->impulse, impulse;
 	if (!bias && r->error <= 0.0f && (w->flags & CNI_CONSTRAINT_SPRINGY))
 		return;
-	speed = cni_row_speed(r, a, b);
+	speed = cni_lever_speed(&r->lever, a, b);
 	if (r->error > 0.0f)
 		impulse = old - mass * (speed + r->error * s->inv_h);
 	else if (bias)
@@ -182,7 +182,7 @@ static void solve_limit(const cni_joint_constraint *w, cni_row *r, float mass, c
 	r->impulse = cni_max(impulse, 0.0f);
 	if (w->flags & CNI_CONSTRAINT_BOUNDED)
 		r->impulse = cni_min(r->impulse, (r->angular ? w->numbers->torque_max : w->numbers->force_max) * s->h);
-	cni_row_push(r, r->impulse - old, a, b);
+	cni_lever_push(&r->lever, r->impulse - old, a, b);
 }
 
 static void solve_constraint(cni_joint_constraint *w, cni_motion *motions, const cni_solve *s, int32_t bias)
@@ -299,7 +299,7 @@ void cni_joints_store(cn_world *world, const cni_solve *s)
 		cni_joint_rows_end(world, w, j);
 		j->inv_h = s->inv_h;
 		j->trust.direct = (w->flags & CNI_CONSTRAINT_DIRECT) != 0;
-		if (w->flags & CNI_CONSTRAINT_TURNS)
+		if (cni_joint_type_of(j->type)->uses & CNI_USES_TURNS)
 			cni_joint_turns_advance(world, j, cni_motions(world)[w->ia].theta, cni_motions(world)[w->ib].theta);
 		if (w->flags & CNI_CONSTRAINT_BREAKABLE) {
 			if (!(w->flags & CNI_CONSTRAINT_FINISHED))
@@ -315,10 +315,7 @@ void cni_joints_store(cn_world *world, const cni_solve *s)
 static void joint_break(cn_world *world, const cni_joint_constraint *w)
 {
 	uint32_t breaks = (cni_joint_at(world, w->joint)->flags & CN_JOINT_BREAKS) != 0;
-	if (!cni_joint_event_log(world, w->joint, w->numbers->force_stress, w->numbers->torque_stress, breaks)) {
-		world->warnings |= CN_WARNING_EVENT_MEMORY;
-		++world->events_not_reported;
-	}
+	cni_joint_event_log(world, w->joint, w->numbers->force_stress, w->numbers->torque_stress, breaks);
 	if (breaks)
 		cni_joint_destroy(world, w->joint);
 }

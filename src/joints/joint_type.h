@@ -2,8 +2,8 @@
  * joints/joint_type.h - the interface of a joint type, and read-back of a joint's state.
  *
  * A type describes itself by rows: scalar constraints with a Jacobian, an error and bounds. Warm starting, soft and rigid solving,
- * reactions and error read-back work on rows and do not depend on the type, so a new joint is one file with one function that writes rows
- * and two that read it back. Most revolute, fixed and distance joints are solved without rows: joints/joint_blocks.c.
+ * reactions and error read-back work on rows and do not depend on the type, so a new joint is a function that writes rows and two that read
+ * it back. Most revolute, fixed and distance joints are solved without rows: joints/joint_blocks.c.
  */
 #ifndef CNI_JOINTS_JOINT_TYPE_H
 #define CNI_JOINTS_JOINT_TYPE_H
@@ -31,10 +31,8 @@ enum {
 	CNI_ROW_DRIVE = 5  /* a spring among the first rows; a joint has either rigid or drive rows */
 };
 
-/* speed = a . (va, wa) + b . (vb, wb), the rate of change of error. */
 typedef struct cni_row {
-	float ax, ay, aw;
-	float bx, by, bw;
+	cni_lever lever;  /* speed along it: the rate of change of error */
 	float error;      /* metres or radians */
 	float target;     /* motor: target speed */
 	float limit;      /* motor: most force or torque; soft: the same, 0: no bound */
@@ -72,10 +70,27 @@ typedef struct cni_joint_type {
 	cni_joint_speed_fn *speed_row;
 	uint32_t uses;
 } cni_joint_type;
-extern const cni_joint_type cni_joint_revolute, cni_joint_distance, cni_joint_fixed, cni_joint_prismatic, cni_joint_wheel,
-	cni_joint_motor, cni_joint_mouse, cni_joint_gear, cni_joint_pulley, cni_joint_ratchet, cni_joint_rotary_spring,
-	cni_joint_groove, cni_joint_filter, cni_joint_angle, cni_joint_line;
-const cni_joint_type *cni_joint_type_of(int32_t type);
+extern const cni_joint_type cni_joint_types[CNI_JOINT_TYPES];
+static inline const cni_joint_type *cni_joint_type_of(int32_t type) { return &cni_joint_types[type]; }
+/* Those of revolute joints. */
+cni_joint_rows_fn cni_joint_revolute_rows;
+
+/* From one point to the other, whose distance is d, and its length; coinciding points have an arbitrary fixed axis. */
+static inline cni_vec2 cni_distance_axis(cni_vec2 d, float *out_length)
+{
+	*out_length = cni_length(d);
+	return *out_length > 1e-9f ? cni_mul(1.0f / *out_length, d) : cni_v(1.0f, 0.0f);
+}
+/* Turns the two rows of a point of b held at a point of a, seen from the centres of mass at ra and rb. */
+static inline void cni_rows_point_turn(cni_row *rows, cni_vec2 ra, cni_vec2 rb, cni_vec2 gap)
+{
+	rows[0].lever.aw = ra.y;
+	rows[0].lever.bw = -rb.y;
+	rows[0].error = gap.x;
+	rows[1].lever.aw = -ra.x;
+	rows[1].lever.bw = rb.x;
+	rows[1].error = gap.y;
+}
 
 /* Rotation of the body on a side; of the world, none. */
 static inline cni_rot cni_joint_side_rotation(const cn_world *world, const cni_joint *j, int32_t side)

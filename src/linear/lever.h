@@ -1,14 +1,25 @@
 /*
- * linear/lever.h - the rows of J of a node: single ones, and three side by side.
+ * linear/lever.h - the state of a body that constraint rows read and write; the rows of J of a node: single ones, and three side by side.
  */
 #ifndef CNI_LINEAR_LEVER_H
 #define CNI_LINEAR_LEVER_H
 
 #include "base/four.h"
-#include "linear/motion.h"
+#include "base/maths.h"
 
 #define CNI_NODE_ROWS 3
 #define CNI_NODE_LANES 4 /* rows, and one that is zero */
+
+/* Colours of joint lanes: no body that can move appears twice in one. */
+#define CNI_JOINT_COLORS 23
+
+/* 32 bytes, aligned: the solver gathers and scatters these. */
+typedef struct cni_motion {
+	float vx, vy, w, inv_mass;
+	float dpx, dpy, theta, inv_inertia; /* change of centre and angle since the step began */
+} cni_motion;
+
+static inline int32_t cni_motion_can_move(const cni_motion *m) { return m->inv_mass > 0.0f || m->inv_inertia > 0.0f; }
 
 /* One row of J: speed = a . (va, wa) + b . (vb, wb). */
 typedef struct cni_lever {
@@ -21,20 +32,20 @@ typedef struct cni_levers {
 	float bx[CNI_NODE_LANES], by[CNI_NODE_LANES], bw[CNI_NODE_LANES];
 } cni_levers;
 
-static inline void cni_levers_set(cni_levers *l, int32_t row, cni_lever one)
+static inline void cni_levers_set(cni_levers *l, int32_t i, cni_lever one)
 {
-	l->ax[row] = one.ax;
-	l->ay[row] = one.ay;
-	l->aw[row] = one.aw;
-	l->bx[row] = one.bx;
-	l->by[row] = one.by;
-	l->bw[row] = one.bw;
+	l->ax[i] = one.ax;
+	l->ay[i] = one.ay;
+	l->aw[i] = one.aw;
+	l->bx[i] = one.bx;
+	l->by[i] = one.by;
+	l->bw[i] = one.bw;
 }
 
-static inline void cni_levers_clear(cni_levers *l, int32_t row)
+static inline void cni_levers_clear(cni_levers *l, int32_t i)
 {
 	const cni_lever none = { 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f };
-	cni_levers_set(l, row, none);
+	cni_levers_set(l, i, none);
 }
 
 static inline float cni_lever_speed(const cni_lever *l, const cni_motion *a, const cni_motion *b)
@@ -51,6 +62,24 @@ static inline void cni_lever_push(const cni_lever *l, float impulse, cni_motion 
 	b->vx += mb * l->bx;
 	b->vy += mb * l->by;
 	b->w += b->inv_inertia * impulse * l->bw;
+}
+
+/* to += part * l */
+static inline void cni_lever_add(cni_lever *to, float part, const cni_lever *l)
+{
+	to->ax += part * l->ax;
+	to->ay += part * l->ay;
+	to->aw += part * l->aw;
+	to->bx += part * l->bx;
+	to->by += part * l->by;
+	to->bw += part * l->bw;
+}
+
+/* l M^-1 k^T: the element of K for two rows. */
+static inline float cni_lever_mass(const cni_lever *l, const cni_lever *k, const cni_motion *a, const cni_motion *b)
+{
+	return a->inv_mass * (l->ax * k->ax + l->ay * k->ay) + a->inv_inertia * l->aw * k->aw +
+	       b->inv_mass * (l->bx * k->bx + l->by * k->by) + b->inv_inertia * l->bw * k->bw;
 }
 
 /* cni_lever_speed of all rows. */

@@ -88,9 +88,9 @@ typedef struct cni_component {
 	int32_t batch, lane;            /* ... where */
 } cni_component;
 
-/* A component whose joints contacts may open: direct/joint_projection.c. */
+/* Of a component whose joints contacts may open: direct/joint_projection.c. */
 typedef struct cni_projection {
-	int32_t component;
+	int32_t listed;                /* 1: they may */
 	int32_t selected;              /* 1: to be checked, because its bodies may have changed since the last check */
 	int32_t opening;               /* 1: contacts would open some of its joints in this substep */
 	int32_t changed;               /* 1: contacts have changed its bodies since the last check */
@@ -143,10 +143,10 @@ typedef struct cni_sparse {
 	struct cni_direct_contact *contacts;   /* direct contacts in the order of their nodes: the owner of contact i's node is -1 - i */
 	int32_t contact_count;
 	cni_projection *projections;          /* direct/joint_projection.c, by component */
-	int32_t projection_count;
+	int32_t projection_count;             /* components of which it is used */
 	int32_t *projection_slots;        /* slots of the contacts of each projection's bodies */
 	int32_t projection_slot_count;
-	int32_t *projection_of;           /* by dense body: its projection or CNI_NONE */
+	int32_t *projection_of;           /* by dense body: its component, if contacts may open it, or CNI_NONE */
 	cni_heavy_contact *heavies;   /* direct/heavy_contacts.c */
 	int32_t heavy_count;
 	cni_motion *saved;            /* by index in bodies */

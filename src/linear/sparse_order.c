@@ -55,13 +55,10 @@ static int32_t *list_alloc(cni_planner *p, int32_t count)
 
 /* ---- cliques ---- */
 
-/* Body 0 cannot move: its clique is empty. */
-static cni_clique *clique_at(const cni_planner *p, int32_t body) { return &p->clique[body]; }
-
 /* Makes the clique of a body's nodes. 0: no room. */
 static int32_t clique_collect(cni_planner *p, int32_t body)
 {
-	cni_clique *c = clique_at(p, body);
+	cni_clique *c = &p->clique[body];
 	int32_t key;
 	c->nodes = list_alloc(p, cni_planner_nodes_at(p, body));
 	c->count = c->met = 0;
@@ -76,19 +73,19 @@ static int32_t clique_collect(cni_planner *p, int32_t body)
 static int32_t cliques_collect(cni_planner *p)
 {
 	int32_t k, side;
-	memset(clique_at(p, 0), 0, sizeof(cni_clique));
+	memset(&p->clique[0], 0, sizeof(cni_clique));
 	for (k = 0; k < p->member_count; ++k) {
 		int32_t node = p->member[k];
 		p->mark[node] = CNI_NONE;
 		for (side = 0; side < 2; ++side) {
 			p->in[side][node] = cni_planner_body(p, node, side);
-			clique_at(p, p->in[side][node])->nodes = NULL;
+			p->clique[p->in[side][node]].nodes = NULL;
 		}
 	}
 	for (k = 0; k < p->member_count; ++k)
 		for (side = 0; side < 2; ++side) {
 			int32_t body = p->in[side][p->member[k]];
-			if (body != 0 && clique_at(p, body)->nodes == NULL && !clique_collect(p, body))
+			if (body != 0 && p->clique[body].nodes == NULL && !clique_collect(p, body))
 				return 0;
 		}
 	return 1;
@@ -116,7 +113,7 @@ static void column_add(cni_planner *p, int32_t v, const cni_clique *c)
 /* Moves the nodes of clique `part` to clique `body`; a node that was in both is then in `body` alone. */
 static void nodes_move(cni_planner *p, int32_t part, int32_t body)
 {
-	const cni_clique *c = clique_at(p, part);
+	const cni_clique *c = &p->clique[part];
 	int32_t k;
 	for (k = 0; k < c->count; ++k) {
 		int32_t node = c->nodes[k], side = p->in[1][node] == part;
@@ -151,21 +148,21 @@ static void degree_unlink(cni_planner *p, int32_t node)
 /* Degree of a node of clique c: the other nodes of c plus the nodes of its other clique, minus the nodes in both. */
 static int32_t degree_in(const cni_planner *p, const cni_clique *c, int32_t other)
 {
-	return c->count - 1 + (other == 0 ? 0 : clique_at(p, other)->count - clique_at(p, other)->met);
+	return c->count - 1 + (other == 0 ? 0 : p->clique[other].count - p->clique[other].met);
 }
 
 /* Adds to `met` of every other clique, `add` for each node that it shares with the clique of `body`. add -1 undoes 1. */
 static void shared_count(cni_planner *p, int32_t body, int32_t add)
 {
-	const cni_clique *c = clique_at(p, body);
+	const cni_clique *c = &p->clique[body];
 	int32_t k;
 	for (k = 0; k < c->count; ++k)
-		clique_at(p, clique_other(p, c->nodes[k], body))->met += add;
+		p->clique[clique_other(p, c->nodes[k], body)].met += add;
 }
 
 static void degrees_update(cni_planner *p, int32_t body)
 {
-	const cni_clique *c = clique_at(p, body);
+	const cni_clique *c = &p->clique[body];
 	int32_t k;
 	shared_count(p, body, 1);
 	for (k = 0; k < c->count; ++k) {
@@ -188,7 +185,7 @@ static void degrees_begin(cni_planner *p)
 			if (body == 0 || p->degree[node] != 0)
 				continue;
 			shared_count(p, body, 1);
-			p->degree[node] = degree_in(p, clique_at(p, body), p->in[1 - side][node]);
+			p->degree[node] = degree_in(p, &p->clique[body], p->in[1 - side][node]);
 			shared_count(p, body, -1);
 		}
 }
@@ -199,13 +196,13 @@ static void degrees_begin(cni_planner *p)
 static int32_t node_eliminate(cni_planner *p, int32_t v)
 {
 	int32_t into = p->in[0][v] != 0 ? 0 : 1, body = p->in[into][v], part = p->in[1 - into][v], count = p->degree[v];
-	cni_clique *c = clique_at(p, body);
+	cni_clique *c = &p->clique[body];
 	p->list[v] = list_alloc(p, count);
 	p->list_count[v] = 0;
 	if (p->list[v] == NULL)
 		return 0;
 	column_add(p, v, c);
-	column_add(p, v, clique_at(p, part));
+	column_add(p, v, &p->clique[part]);
 	CNI_ASSERT(p->list_count[v] == count);
 	nodes_move(p, part, body);
 	c->nodes = p->list[v];

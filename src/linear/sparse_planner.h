@@ -40,7 +40,7 @@ typedef struct cni_planner {
 	/* order */
 	int32_t *order;              /* planned nodes so far, components one after the other */
 	int32_t *position;           /* by node: its index in order */
-	cni_clique *clique;          /* by body */
+	cni_clique *clique;          /* by body; that of body 0, which cannot move, is empty */
 	int32_t *in[2];              /* by node: bodies of the cliques that contain it; 0: none */
 	int32_t **list;              /* by node: its column of L, in the pool */
 	int32_t *list_count;

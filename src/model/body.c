@@ -227,12 +227,6 @@ void cni_body_kick(cn_world *world, int32_t body)
 	}
 }
 
-/* A way of less than half of the margin needs no stretched box. */
-static int32_t needs_stretch(float margin, cni_vec2 ahead)
-{
-	return cni_abs(ahead.x) > 0.5f * margin || cni_abs(ahead.y) > 0.5f * margin;
-}
-
 static cni_aabb box_stretch(cni_aabb box, cni_vec2 ahead)
 {
 	box.x0 += cni_min(ahead.x, 0.0f);
@@ -265,7 +259,7 @@ static int32_t box_leaves(const cn_world *world, const cni_body *b, const cni_sh
 	if (*room > cni_max(cni_abs(ahead.x), cni_abs(ahead.y)))
 		return BOX_STAYS;
 	margin = cni_box_margin(world, b->type, &box);
-	reaches = needs_stretch(margin, ahead);
+	reaches = cni_abs(ahead.x) > 0.5f * margin || cni_abs(ahead.y) > 0.5f * margin; /* a shorter way needs no stretched box */
 	if (reaches)
 		box = box_stretch(box, ahead);
 	if (cni_aabb_contains(now, &box)) {
@@ -318,8 +312,7 @@ void cni_body_boxes_tell(cn_world *world, const cni_body *b, int32_t set)
 {
 	int32_t shape, child;
 	if (set != CNI_BOXES_SEVERAL) {
-		if (set != CNI_BOXES_NONE)
-			proxy_tell(world, set);
+		proxy_tell(world, set);
 		return;
 	}
 	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {

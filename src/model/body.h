@@ -21,7 +21,7 @@
 
 #include "base/blocks.h"
 #include "base/maths.h"
-#include "linear/motion.h"
+#include "linear/lever.h"
 #include "base/threads.h"
 #include "model/tuning.h"
 
@@ -230,7 +230,7 @@ static inline int32_t cni_body_has_room(const cni_body *b, cni_vec2 ahead)
 }
 enum { CNI_BOXES_NONE = -1, CNI_BOXES_SEVERAL = -2 };
 /* Sets the boxes that do not contain the body's shapes now and after ahead (metres), and tells the broadphase of `tell`. NULL: writes the
-   body and its proxies only; then cni_body_boxes_tell must follow with the result, the proxy with a new box or CNI_BOXES_. */
+   body and its proxies only; then cni_body_boxes_tell must follow with the result, the proxy with a new box or _SEVERAL, unless it is _NONE. */
 int32_t cni_body_boxes_set(const cn_world *world, cni_body *b, cni_vec2 ahead, cn_world *tell);
 void cni_body_boxes_tell(cn_world *world, const cni_body *b, int32_t set);
 /* Does not wake. Locked axes are zeroed. */

@@ -190,8 +190,9 @@ static int32_t mass_subtract(cn_world *world, cni_body *b, cn_mass_data m)
 }
 
 /* The centre has moved from an earlier place, and g, unless NULL, is one more shape. Rounding must not make the extent too small. */
-static void measure_add(const cn_world *world, cni_body *b, const cni_geometry *g, cni_vec2 earlier)
+static void measure_add(cn_world *world, int32_t body, const cni_geometry *g, cni_vec2 earlier)
 {
+	cni_body *b = cni_body_at(world, body);
 	float turn_reach = cni_body_turn_reach(b) + cni_length(cni_sub(b->local_center, earlier));
 	b->extent = (1.0f + 4.0f * FLT_EPSILON) * b->extent - cni_length(earlier);
 	if (g != NULL) {
@@ -201,6 +202,8 @@ static void measure_add(const cn_world *world, cni_body *b, const cni_geometry *
 	b->extent += cni_length(b->local_center);
 	b->turn_reach = turn_reach_pack(turn_reach, b->extent);
 	cni_body_forget_room(b);
+	cni_readback_store(world, body);
+	cni_body_refresh_motion(world, b);
 }
 
 /* 1: the shape was added to a moving body of many shapes. A body whose shapes have no mass so far has a mass that is not theirs. */
@@ -216,9 +219,7 @@ static int32_t estimate_add(cn_world *world, int32_t body, int32_t added)
 	estimated_list_add(world, body);
 	if (sums)
 		mass_add(world, b, cni_geometry_mass(g, s->density));
-	measure_add(world, b, g, earlier);
-	cni_readback_store(world, body);
-	cni_body_refresh_motion(world, b);
+	measure_add(world, body, g, earlier);
 	return 1;
 }
 
@@ -232,9 +233,7 @@ int32_t cni_body_shape_leaves(cn_world *world, int32_t body, int32_t shape)
 	if (has_mass_of_shapes(b) && !mass_subtract(world, b, cni_geometry_mass(cni_shape_geometry(&world->blocks, s), s->density)))
 		return 0;
 	estimated_list_add(world, body);
-	measure_add(world, b, NULL, earlier);
-	cni_readback_store(world, body);
-	cni_body_refresh_motion(world, b);
+	measure_add(world, body, NULL, earlier);
 	return 1;
 }
 

@@ -5,7 +5,6 @@
  * cni_contact_send_deferred_events), which makes them bookended: a contact that has logged CREATED logs DESTROYED before its
  * record is freed, one that has logged ENTER logs LEAVE before it stops touching.
  */
-#include "model/lane.h"
 #include "model/world.h"
 
 #include <string.h>
@@ -60,11 +59,6 @@ static void list_unlink(cn_world *world, int32_t contact, int32_t side)
 		b->flags &= ~(uint32_t)CNI_BODY_MIXED;
 }
 
-static int32_t contact_is_awake(const cn_world *world, const cni_contact *c)
-{
-	return cni_body_at(world, c->body[0])->awake != 0 || cni_body_at(world, c->body[1])->awake != 0;
-}
-
 static int32_t one_is_dynamic(const cn_world *world, const cni_shape *a, const cni_shape *b)
 {
 	return cni_body_at(world, a->body)->type == CN_BODY_DYNAMIC || cni_body_at(world, b->body)->type == CN_BODY_DYNAMIC;
@@ -112,19 +106,20 @@ int32_t cni_contact_allowed(const cn_world *world, int32_t proxy_a, int32_t prox
 
 /* ---- creation and destruction ---- */
 
+/* Memory for the ends of so many contacts in these logs of contacts and sensors, beside what is in them if more is 1. */
+static int32_t ends_reserve(cn_world *world, cni_array *logs, cni_array *sensed, int32_t count, int32_t more)
+{
+	cni_array *leave = &logs[CN_EVENT_LEAVE], *destroyed = &logs[CN_EVENT_DESTROYED];
+	return cni_array_reserve(sensed, &world->memory, more * sensed->count + count) && cni_array_reserve(leave, &world->memory, more * leave->count + count) &&
+	       cni_array_reserve(destroyed, &world->memory, more * destroyed->count + count);
+}
+
 /* With a fixed memory block, room for the end events of every contact that reports is reserved before it does: destroying must not fail
    without memory. The logs of the last step and of calls since are swapped, so both reserve it. */
 int32_t cni_contact_reserve_reports(cn_world *world, int32_t count)
 {
-	static const int32_t kinds[] = { CN_EVENT_LEAVE, CN_EVENT_DESTROYED };
-	int32_t k, good;
-	if (!CNI_HAS_EVENTS)
-		return 1;
-	good = cni_array_reserve(&world->events.sensor_log, &world->memory, count) && cni_array_reserve(&world->events.sensor_pending, &world->memory, count);
-	for (k = 0; k < 2 && good; ++k)
-		good = cni_array_reserve(&world->events.log[kinds[k]], &world->memory, count) &&
-		       cni_array_reserve(&world->events.pending[kinds[k]], &world->memory, count);
-	return good;
+	cni_events *events = &world->events;
+	return !CNI_HAS_EVENTS || (ends_reserve(world, events->log, &events->sensor_log, count, 0) && ends_reserve(world, events->pending, &events->sensor_pending, count, 0));
 }
 
 cn_result cni_contact_reserve(cn_world *world, int32_t extra)
@@ -238,15 +233,8 @@ void cni_contact_create(cn_world *world, int32_t proxy_a, int32_t proxy_b)
 
 cn_result cni_contact_reserve_end(cn_world *world, int32_t contacts)
 {
-	cni_array *leave = &world->events.pending[CN_EVENT_LEAVE], *destroyed = &world->events.pending[CN_EVENT_DESTROYED];
-	cni_array *sensed = &world->events.sensor_pending;
-	int32_t good;
-	if (!CNI_HAS_EVENTS)
-		return CN_OK;
-	contacts = cni_min_i(contacts, world->contacts_reporting); /* callers count contacts between two of their bodies twice */
-	good = cni_array_reserve(sensed, &world->memory, sensed->count + contacts) && cni_array_reserve(leave, &world->memory, leave->count + contacts) &&
-	       cni_array_reserve(destroyed, &world->memory, destroyed->count + contacts);
-	return good ? CN_OK : CN_ERROR_MEMORY;
+	int32_t ends = cni_min_i(contacts, world->contacts_reporting); /* callers count contacts between two of their bodies twice */
+	return !CNI_HAS_EVENTS || ends_reserve(world, world->events.pending, &world->events.sensor_pending, ends, 1) ? CN_OK : CN_ERROR_MEMORY;
 }
 
 int32_t cni_contact_destroy(cn_world *world, int32_t contact)
@@ -413,7 +401,7 @@ int32_t cni_contact_end(cn_world *world, int32_t contact)
 		cni_island_unlink(world, c->body[0]);
 	c->flags &= ~(uint32_t)(CNI_CONTACT_TOUCHING | CNI_CONTACT_LINKED | CNI_CONTACT_ENTER_OWED | CNI_CONTACT_ENTERED);
 	--world->touching_count;
-	if (contact_is_awake(world, c))
+	if (cni_body_at(world, c->body[0])->awake != 0 || cni_body_at(world, c->body[1])->awake != 0)
 		cni_contact_enter_apart_list(world, contact);
 	return 1;
 }

@@ -37,10 +37,17 @@
 #include "collision/manifold.h"
 #include "model/body.h"
 
+/* Bits of a block's lanes, where a record is not one of files of earlier versions; numbers and bits of a listed block: words are an instruction
+   less where they are read. */
 #ifdef CN_SMALL_BLOCKS /* no lane is unused; the same bits, without vectors */
 #define CNI_LANES 1
+typedef uint8_t cni_lane_bits;
+typedef uint16_t cni_listed_number, cni_listed_bits;
 #else
 #define CNI_LANES 16
+typedef uint16_t cni_lane_bits;
+typedef int32_t cni_listed_number;
+typedef uint32_t cni_listed_bits;
 #endif
 /* Blocks of 16 lanes in a row of a colour: early rest takes them in and out of the passes together, at any size of blocks. */
 #define CNI_BLOCKS_A_GROUP (16 / CNI_LANES)
@@ -106,13 +113,6 @@ typedef struct cni_block_extra {
 	float lock_bx[CNI_LANES], lock_by[CNI_LANES];
 } cni_block_extra;
 
-/* Bits of a block's lanes, where a record is not one of files of earlier versions. */
-#ifdef CN_SMALL_BLOCKS
-typedef uint8_t cni_lane_bits;
-#else
-typedef uint16_t cni_lane_bits;
-#endif
-
 /* The bits with that of a lane set to `on`, 0 or 1. */
 static inline uint32_t cni_bits_with(uint32_t bits, uint32_t lane, uint32_t on) { return (bits & ~(1u << lane)) | on << lane; }
 
@@ -150,15 +150,6 @@ typedef struct cni_color {
 	int32_t listed;        /* first of its blocks in world.block_list; within a step */
 	int32_t listed_count;  /* its blocks in the list */
 } cni_color;
-
-/* Numbers of a listed block; words are an instruction less where they are read. */
-#ifdef CN_SMALL_BLOCKS
-typedef uint16_t cni_listed_number;
-typedef uint16_t cni_listed_bits;
-#else
-typedef int32_t cni_listed_number;
-typedef uint32_t cni_listed_bits;
-#endif
 
 /* A block in the list of a step's passes: colours in order, a colour's blocks in order. */
 typedef struct cni_listed_block {
@@ -267,12 +258,6 @@ int32_t cni_contact_possible(const void *context, int32_t proxy_a, int32_t proxy
 int32_t cni_contact_user_allows(const void *context, int32_t proxy_a, int32_t proxy_b);
 /* ... by both. */
 int32_t cni_contact_allowed(const cn_world *world, int32_t proxy_a, int32_t proxy_b);
-/* Reserves memory for `lanes` touching contacts, awake or asleep, in any colours. 0: no memory. */
-int32_t cni_lane_reserve(cn_world *world, int32_t lanes);
-/* Are few of the allocated blocks in use? Then a loop over all in memory order costs more than one over the lists. */
-int32_t cni_blocks_are_few(const cn_world *world);
-/* Reserves extra rows for every block; 0: no memory. */
-int32_t cni_lane_reserve_extra(cn_world *world);
 /* Logs a contact's deferred event if there is memory now. In a step. */
 void cni_contact_send_deferred_events(cn_world *world, int32_t contact, uint32_t owed, int32_t kind);
 /* Sets whether a sensor pair overlaps, and logs the change. 0: no memory for the log; nothing changes. */
@@ -325,5 +310,29 @@ void cni_contact_mark_sums(cn_world *world, const cni_contact *c);
 void cni_contact_add_enter_impulses(cn_world *world, const cni_contact *c, float normal, float friction);
 /* The public description of a contact; with a manifold if it touches. kind is copied. */
 void cni_contact_describe(const cn_world *world, int32_t contact, int32_t kind, cn_contact_event *out);
+
+/* ---- lanes of blocks: model/lane.c ---- */
+
+/* Upper bound of the blocks that so many contacts fill: full ones, and a partial block of each colour. */
+int32_t cni_lane_blocks_for(int32_t lanes);
+/* Reserves memory for `lanes` touching contacts, awake or asleep, in any colours. 0: no memory. */
+int32_t cni_lane_reserve(cn_world *world, int32_t lanes);
+/* Are few of the allocated blocks in use? Then a loop over all in memory order costs more than one over the lists. */
+int32_t cni_blocks_are_few(const cn_world *world);
+/* Reserves extra rows for every block; 0: no memory. */
+int32_t cni_lane_reserve_extra(cn_world *world);
+/* Chooses a colour for the contact, marks its bodies and takes a lane; the rows are zero except for the body indices. Memory must be
+   reserved. */
+void cni_lane_take(cn_world *world, int32_t contact);
+/* Takes a lane for a contact that sleeps, with CNI_SLEEP_IN_BLOCKS; all rows are zero. */
+void cni_lane_take_asleep(cn_world *world, int32_t contact);
+/* Frees the contact's lane and fills it with the colour's last one. */
+void cni_lane_free(cn_world *world, int32_t contact);
+/* Marks that the slot's contact began to touch in this step. */
+void cni_lane_set_fresh(cn_world *world, int32_t slot);
+/* Removes the anchor of the slot's lane; gap and approach speed become 0. */
+void cni_lane_invalidate(cn_world *world, int32_t slot);
+/* Sets the lane's body indices from the bodies. */
+void cni_lane_set_bodies(cn_world *world, const cni_contact *c);
 
 #endif

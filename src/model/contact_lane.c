@@ -2,7 +2,6 @@
  * model/contact_lane.c - writes manifolds into lanes, where the solver reads them, with the anchors for manifold reuse; and
  * reads lanes back for the public API.
  */
-#include "model/lane.h"
 #include "model/world.h"
 
 #include <string.h>

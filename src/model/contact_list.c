@@ -2,7 +2,6 @@
  * model/contact_list.c - contact records: the list of contacts apart, lookup, gap, invalidation.
  */
 #include "model/world.h"
-#include "model/lane.h"
 
 void cni_contact_enter_apart_list(cn_world *world, int32_t contact)
 {
@@ -31,11 +30,10 @@ int32_t cni_contact_find(const cn_world *world, int32_t proxy_a, int32_t proxy_b
 	const cni_body *a = cni_body_at(world, cni_shape_at(world, cni_proxy_at(world, proxy_a)->shape)->body);
 	const cni_body *b = cni_body_at(world, cni_shape_at(world, cni_proxy_at(world, proxy_b)->shape)->body);
 	int32_t key = a->contact_count <= b->contact_count ? a->contact_first : b->contact_first;
-	while (key != CNI_NONE) {
+	for (; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
 		const cni_contact *c = cni_contact_of_key(world, key);
 		if ((c->proxy[0] == proxy_a && c->proxy[1] == proxy_b) || (c->proxy[0] == proxy_b && c->proxy[1] == proxy_a))
 			return key >> 1;
-		key = c->next[key & 1];
 	}
 	return CNI_NONE;
 }
@@ -101,10 +99,7 @@ void cni_contacts_invalidate_body(cn_world *world, const cni_body *b)
 void cni_contact_fix_body(cn_world *world, int32_t body)
 {
 	int32_t key = cni_body_at(world, body)->contact_first;
-	while (key != CNI_NONE) {
-		const cni_contact *c = cni_contact_of_key(world, key);
-		if (cni_contact_has_lane(c))
-			cni_lane_set_bodies(world, c);
-		key = c->next[key & 1];
-	}
+	for (; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1])
+		if (cni_contact_has_lane(cni_contact_of_key(world, key)))
+			cni_lane_set_bodies(world, cni_contact_of_key(world, key));
 }

@@ -35,8 +35,7 @@ void cni_events_begin_step(cni_events *events)
 	events->asleep.count = 0;
 }
 
-/* Makes room for an event; NULL: no memory. */
-static void *log_add(cn_world *world, cni_array *log)
+void *cni_event_add(cn_world *world, cni_array *log)
 {
 	if (!cni_array_reserve(log, &world->memory, log->count + 1)) {
 		world->warnings |= CN_WARNING_EVENT_MEMORY;
@@ -94,7 +93,7 @@ int32_t cni_event_log(cn_world *world, int32_t contact, int32_t kind)
 	cni_event *e;
 	if (!cni_contact_reports_kind(c, kind))
 		return 1;
-	e = (cni_event *)log_add(world, world->events.in_step ? &world->events.log[kind] : &world->events.pending[kind]);
+	e = (cni_event *)cni_event_add(world, world->events.in_step ? &world->events.log[kind] : &world->events.pending[kind]);
 	if (e == NULL)
 		return 0;
 	event_write(world, contact, e);
@@ -114,7 +113,7 @@ void cni_event_log_stay(cn_world *world, int32_t contact, const cni_event_sums *
 	cni_event_stay *e;
 	if (!contact_stays(cni_contact_at(world, contact)))
 		return;
-	e = (cni_event_stay *)log_add(world, &world->events.log[CN_EVENT_STAY]);
+	e = (cni_event_stay *)cni_event_add(world, &world->events.log[CN_EVENT_STAY]);
 	if (e == NULL)
 		return;
 	e->contact = contact;
@@ -135,7 +134,7 @@ void cni_event_log_hit(cn_world *world, int32_t contact, const cni_event_sums *s
 	cn_contact_event *e;
 	if ((c->flags & CNI_CONTACT_ENTER_OWED) || !cni_contact_reports_kind(c, CN_EVENT_HIT))
 		return;
-	e = (cn_contact_event *)log_add(world, &world->events.log[CN_EVENT_HIT]);
+	e = (cn_contact_event *)cni_event_add(world, &world->events.log[CN_EVENT_HIT]);
 	if (e == NULL)
 		return;
 	cni_contact_describe(world, contact, CN_EVENT_HIT, e);
@@ -154,7 +153,7 @@ int32_t cni_sensor_event_log(cn_world *world, int32_t contact, int32_t kind)
 	shapes[0] = cni_proxy_at(world, c->proxy[0])->shape;
 	shapes[1] = cni_proxy_at(world, c->proxy[1])->shape;
 	side = cni_shape_at(world, shapes[0])->flags & CN_SHAPE_SENSOR ? 0 : 1;
-	e = (cn_sensor_event *)log_add(world, log);
+	e = (cn_sensor_event *)cni_event_add(world, log);
 	if (e == NULL)
 		return 0;
 	e->sensor = cni_handles_of(&world->shape_handles, shapes[side]);

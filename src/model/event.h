@@ -57,6 +57,8 @@ typedef struct cni_events {
 void cni_events_forget_built(cni_events *events);
 /* At the beginning of a step: pending logs become the logs, built arrays become invalid. */
 void cni_events_begin_step(cni_events *events);
+/* Makes room for an event in a log; NULL: no memory, with a warning. */
+void *cni_event_add(cn_world *world, cni_array *log);
 /* Logs a contact's event if the contact reports that kind; 0: no memory. */
 int32_t cni_event_log(cn_world *world, int32_t contact, int32_t kind);
 /* STAY, if the contact reports it and does not enter in this step. */

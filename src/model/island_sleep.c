@@ -20,20 +20,16 @@ static int32_t first_of(const cn_world *world, int32_t body)
 
 static int32_t is_held_back(const cni_body *b) { return b->type == CN_BODY_DYNAMIC && b->awake == 0; }
 
-static int32_t contact_may_solve(const cn_world *world, const cni_contact *c)
-{
-	return !is_held_back(cni_body_at(world, c->body[0])) && !is_held_back(cni_body_at(world, c->body[1]));
-}
-
 static void wake_links_of(cn_world *world, int32_t body)
 {
 	const cni_body *b = cni_body_at(world, body);
 	int32_t key;
 	for (key = b->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
 		const cni_contact *c = cni_contact_of_key(world, key);
-		cni_contact_mark_static(cni_body_at(world, c->body[0]), cni_body_at(world, c->body[1]));
+		cni_body *one = cni_body_at(world, c->body[0]), *other = cni_body_at(world, c->body[1]);
+		cni_contact_mark_static(one, other);
 		cni_contact_enter_apart_list(world, key >> 1);
-		if ((c->flags & CNI_CONTACT_ASLEEP) && contact_may_solve(world, c))
+		if ((c->flags & CNI_CONTACT_ASLEEP) && !is_held_back(one) && !is_held_back(other))
 			cni_contact_sleep_to_lane(world, key >> 1);
 	}
 	for (key = b->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1])

@@ -103,13 +103,6 @@ static int32_t first_shape_of_lesser(const cn_world *world, const cni_joint *j)
 	return a == CNI_NONE ? first_a : first_b;
 }
 
-static void bodies_refilter(cn_world *world, const cni_joint *j)
-{
-	int32_t shape = first_shape_of_lesser(world, j);
-	for (; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next)
-		cni_shape_refilter(world, shape);
-}
-
 void cni_joint_link(cn_world *world, int32_t joint)
 {
 	cni_joint *j = cni_joint_at(world, joint);
@@ -130,6 +123,7 @@ void cni_joint_link(cn_world *world, int32_t joint)
 void cni_joint_unlink(cn_world *world, int32_t joint)
 {
 	cni_joint *j = cni_joint_at(world, joint);
+	int32_t shape;
 	cni_joint_wake_bodies(world, j);
 	cni_joint_leave_awake_list(world, joint);
 	list_unlink(world, joint, 0);
@@ -138,7 +132,8 @@ void cni_joint_unlink(cn_world *world, int32_t joint)
 		cni_island_unlink(world, j->body[0]);
 	j->linked = 0;
 	if (!(j->flags & CN_JOINT_COLLIDE) && j->body[0] != CNI_NONE && j->body[1] != CNI_NONE)
-		bodies_refilter(world, j);
+		for (shape = first_shape_of_lesser(world, j); shape != CNI_NONE; shape = cni_shape_at(world, shape)->next)
+			cni_shape_refilter(world, shape);
 }
 
 void cni_joint_destroy(cn_world *world, int32_t joint)
@@ -161,15 +156,13 @@ int32_t cni_joint_reserve_events(cn_world *world, int32_t count)
 	return cni_array_reserve(log, &world->memory, log->count + count);
 }
 
-int32_t cni_joint_event_log(cn_world *world, int32_t joint, float force, float torque, uint32_t destroyed)
+void cni_joint_event_log(cn_world *world, int32_t joint, float force, float torque, uint32_t destroyed)
 {
 	const cni_joint *j = cni_joint_at(world, joint);
 	int32_t constraint = cni_joint_is_constraint(j->type), side;
-	cni_array *log = event_log(world);
-	cn_joint_event *e;
-	if (!cni_joint_reserve_events(world, 1))
-		return 0;
-	e = (cn_joint_event *)log->data + log->count++;
+	cn_joint_event *e = (cn_joint_event *)cni_event_add(world, event_log(world));
+	if (e == NULL)
+		return;
 	memset(e, 0, sizeof *e);
 	e->joint = constraint ? 0 : cni_joint_handle(world, joint);
 	e->constraint = constraint ? cni_joint_handle(world, joint) : 0;
@@ -179,5 +172,4 @@ int32_t cni_joint_event_log(cn_world *world, int32_t joint, float force, float t
 	e->force_N = force;
 	e->torque_Nm = torque;
 	e->user_data = j->user_data;
-	return 1;
 }

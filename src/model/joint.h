@@ -41,7 +41,7 @@ typedef struct cni_joint {
 	float stiffness_hertz, stiffness_damping; /* of rigid rows and limits; 0: as stiff as the substeps allow */
 	float force_max, torque_max;      /* of rigid rows and limits; 0: no bound */
 	float break_force, break_torque;  /* 0: never */
-	float p[CNI_JOINT_NUMBERS]; /* numbers of the type; see the type's file */
+	float p[CNI_JOINT_NUMBERS]; /* numbers of the type: CNI_P_ */
 	cni_joint_trust trust;
 	uint64_t user_data;
 } cni_joint;
@@ -130,7 +130,7 @@ void cni_joint_leave_awake_list(cn_world *world, int32_t joint);
 
 /* Reserves memory for the events of destroying this many joints with a body. */
 int32_t cni_joint_reserve_events(cn_world *world, int32_t count);
-/* Logs that a joint was stressed beyond its threshold or destroyed; 0: no memory. */
-int32_t cni_joint_event_log(cn_world *world, int32_t joint, float force, float torque, uint32_t destroyed);
+/* Logs that a joint was stressed beyond its threshold or destroyed. */
+void cni_joint_event_log(cn_world *world, int32_t joint, float force, float torque, uint32_t destroyed);
 
 #endif

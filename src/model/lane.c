@@ -9,21 +9,27 @@
  * sets no bit); extra rows exist for no block or for all that contacts may take, so that contacts without them never wait for memory
  * of others.
  */
-#include "model/lane.h"
 #include "base/bitset.h"
 #include "model/world.h"
 
 #include <string.h>
+
+/* Rows of a block as one array: row r of a lane is rows[r * CNI_LANES + lane]. */
+#define ROWS_OF(record) ((int32_t)(sizeof(record) / (CNI_LANES * sizeof(float))))
 
 int32_t cni_lane_reserve_extra(cn_world *world)
 {
 	return cni_table_reserve(&world->blocks_extra, &world->memory, cni_table_capacity(&world->blocks_hot));
 }
 
+int32_t cni_lane_blocks_for(int32_t lanes)
+{
+	return lanes / CNI_LANES + (CNI_LANES == 1 ? 0 : cni_min_i(lanes, CNI_COLORS));
+}
+
 int32_t cni_lane_reserve(cn_world *world, int32_t lanes)
 {
-	/* Full blocks, and at worst one partial block for each colour. */
-	int32_t blocks = lanes / CNI_LANES + (CNI_LANES == 1 ? 0 : cni_min_i(lanes, CNI_COLORS));
+	int32_t blocks = cni_lane_blocks_for(lanes);
 	return (cni_table_capacity(&world->blocks_extra) == 0 || cni_table_reserve(&world->blocks_extra, &world->memory, blocks)) &&
 	       cni_table_reserve(&world->blocks_hot, &world->memory, blocks) &&
 	       cni_table_reserve(&world->blocks_info, &world->memory, blocks) &&
@@ -168,9 +174,10 @@ void cni_lane_take_asleep(cn_world *world, int32_t contact)
 	CNI_ASSERT(CNI_SLEEP_IN_BLOCKS);
 }
 
-/* Moves a column of rows and clears the source. */
-static void column_move(float *source, float *target, int32_t rows)
+/* Moves a column of rows between the slots' records and clears the source. */
+static void column_move(void *from_record, void *to_record, int32_t from, int32_t to, int32_t rows)
 {
+	float *source = (float *)from_record + from % CNI_LANES, *target = (float *)to_record + to % CNI_LANES;
 	for (; rows > 0; --rows, source += CNI_LANES, target += CNI_LANES) {
 		if (target != source)
 			memcpy(target, source, sizeof *target);
@@ -182,7 +189,7 @@ static void extra_move(cn_world *world, int32_t from, int32_t to)
 {
 	cni_block_extra *source = cni_block_extra_at(world, from / CNI_LANES), *target = cni_block_extra_at(world, to / CNI_LANES);
 	if (source != NULL)
-		column_move((float *)(void *)source + from % CNI_LANES, (float *)(void *)target + to % CNI_LANES, (int32_t)(sizeof *source / (CNI_LANES * sizeof(float))));
+		column_move(source, target, from, to, ROWS_OF(cni_block_extra));
 }
 
 void cni_lane_set_fresh(cn_world *world, int32_t slot)
@@ -217,10 +224,8 @@ static void bit_move(cni_lane_bits *source, cni_lane_bits *target, int32_t from,
 static void anchor_move(cn_world *world, int32_t from, int32_t to)
 {
 	cni_block_info *source_info = cni_block_info_at(world, from / CNI_LANES), *target_info = cni_block_info_at(world, to / CNI_LANES);
-	float *source = (float *)(void *)cni_block_anchor_at(world, from / CNI_LANES) + from % CNI_LANES;
-	float *target = (float *)(void *)cni_block_anchor_at(world, to / CNI_LANES) + to % CNI_LANES;
 	uint32_t anchored = source_info->anchored >> from % CNI_LANES & 1u & (from != to);
-	column_move(source, target, CNI_ANCHOR_ROWS);
+	column_move(cni_block_anchor_at(world, from / CNI_LANES), cni_block_anchor_at(world, to / CNI_LANES), from, to, ROWS_OF(cni_block_anchor));
 	source_info->anchored = (uint16_t)cni_bits_with(source_info->anchored, (uint32_t)from % CNI_LANES, 0);
 	target_info->anchored = (uint16_t)cni_bits_with(target_info->anchored, (uint32_t)to % CNI_LANES, anchored);
 	bit_move(&source_info->of_b, &target_info->of_b, from, to);
@@ -231,11 +236,9 @@ static void anchor_move(cn_world *world, int32_t from, int32_t to)
 /* Copies one lane over another and clears the source. */
 static void lane_move(cn_world *world, int32_t from, int32_t to)
 {
-	float *source = (float *)(void *)cni_block_at(world, from / CNI_LANES) + from % CNI_LANES;
-	float *target = (float *)(void *)cni_block_at(world, to / CNI_LANES) + to % CNI_LANES;
 	cni_block_info *source_info = cni_block_info_at(world, from / CNI_LANES);
 	cni_block_info *target_info = cni_block_info_at(world, to / CNI_LANES);
-	column_move(source, target, CNI_BLOCK_ROWS);
+	column_move(cni_block_at(world, from / CNI_LANES), cni_block_at(world, to / CNI_LANES), from, to, ROWS_OF(cni_contact_block));
 	if (from != to) {
 		int32_t contact = source_info->contact[from % CNI_LANES];
 		target_info->contact[to % CNI_LANES] = contact;

@@ -17,6 +17,16 @@ uint64_t cni_shape_ids_bytes(const cn_world *world, int32_t children)
 	return cni_shape_piece_bytes(world, CN_SHAPE_CHAIN, 0) > bytes ? cni_shape_piece_bytes(world, CN_SHAPE_CHAIN, 0) : bytes;
 }
 
+void cni_shape_free_geometry(cn_world *world, int32_t shape)
+{
+	const cni_shape *s = cni_shape_at(world, shape);
+	cni_blocks_free(&world->blocks, s->geometry, cni_shape_piece_bytes(world, s->type, cni_shape_geometry(&world->blocks, s)->count));
+	if (s->extra != 0)
+		cni_blocks_free(&world->blocks, s->extra, sizeof(cni_shape_extra));
+	if (cni_has_areas(world))
+		cni_area_remove(world, shape);
+}
+
 static int32_t shape_is_placed(const cni_shape *s)
 {
 	return cni_is_chain(s->type) ? s->box.proxies != 0 : s->box.proxy != CNI_NONE;

@@ -13,16 +13,6 @@ uint64_t cni_shape_piece_bytes(const cn_world *world, int32_t type, int32_t coun
 	return (uint64_t)bytes;
 }
 
-void cni_shape_free_geometry(cn_world *world, int32_t shape)
-{
-	const cni_shape *s = cni_shape_at(world, shape);
-	cni_blocks_free(&world->blocks, s->geometry, cni_shape_piece_bytes(world, s->type, cni_shape_geometry(&world->blocks, s)->count));
-	if (s->extra != 0)
-		cni_blocks_free(&world->blocks, s->extra, sizeof(cni_shape_extra));
-	if (cni_has_areas(world))
-		cni_area_remove(world, shape);
-}
-
 int32_t cni_shape_reserve_extra(cn_world *world, cni_shape *s)
 {
 	if (s->extra != 0)

@@ -80,20 +80,14 @@ static void held_by_contacts(const body_groups *p)
 		}
 }
 
-/* The record costs a cache miss: it is read only if the flags do not decide. */
-static int32_t turns_against_world(const cni_joint_constraint *w)
-{
-	return w->record->type == CN_JOINT_GEAR || w->record->type == CN_JOINT_PULLEY;
-}
-
 static void held_by_joints(const body_groups *p)
 {
 	const cni_motion *motions = cni_motions(p->world);
 	int32_t k;
 	for (k = 0; k < p->world->awake_joints.count; ++k) {
 		const cni_joint_constraint *w = cni_joint_constraints(p->world) + k;
-		if (motions[w->ia].inv_mass > 0.0f && motions[w->ib].inv_mass > 0.0f && !turns_against_world(w))
-			continue;
+		if (motions[w->ia].inv_mass > 0.0f && motions[w->ib].inv_mass > 0.0f && w->record->type != CN_JOINT_GEAR && w->record->type != CN_JOINT_PULLEY)
+			continue; /* the record, which costs a cache miss, is read last */
 		island_hold(p, w->ia);
 		island_hold(p, w->ib);
 	}
@@ -293,32 +287,25 @@ static void groups_restore(const body_groups *p)
 	}
 }
 
-static void momentum_restore(const body_groups *p)
-{
-	memset(p->held, 0, (size_t)p->world->step_island_count);
-	held_by_contacts(p);
-	held_by_joints(p);
-	if (roots_begin(p) == 0)
-		return;
-	roots_find(p);
-	bodies_find(p);
-	groups_restore(p);
-}
-
 void cni_angular_momentum_restore(cn_world *world)
 {
-	uint64_t count = (uint64_t)world->awake_count;
+	uint64_t count = (uint64_t)world->awake_count, islands = (uint64_t)world->step_island_count;
 	body_groups p = { world, NULL, NULL, NULL, NULL };
-	if (world->step_island_count == 0 || !has_pairs(world))
+	if (islands == 0 || !has_pairs(world))
 		return;
-	p.held = (uint8_t *)cni_scratch_push(world, (uint64_t)world->step_island_count);
-	if (p.held != NULL)
-		p.root = (int32_t *)cni_scratch_push(world, 3 * sizeof(int32_t) * count);
-	if (p.root != NULL) {
-		p.end = p.root + count;
-		p.bodies = p.end + count;
-		momentum_restore(&p);
+	p.root = (int32_t *)cni_scratch_push(world, 3 * sizeof(int32_t) * count + islands);
+	if (p.root == NULL)
+		return;
+	p.end = p.root + count;
+	p.bodies = p.end + count;
+	p.held = (uint8_t *)(p.bodies + count);
+	memset(p.held, 0, (size_t)islands);
+	held_by_contacts(&p);
+	held_by_joints(&p);
+	if (roots_begin(&p) > 0) {
+		roots_find(&p);
+		bodies_find(&p);
+		groups_restore(&p);
 	}
 	(void)cni_arena_pop(&world->arena, p.root);
-	(void)cni_arena_pop(&world->arena, p.held);
 }

@@ -195,13 +195,6 @@ static void islands_done(rest *r)
 	}
 }
 
-static void carried_clear(const rest *r)
-{
-	int32_t k;
-	for (k = 0; k < r->world->awake_count && r->carried > 0; ++k)
-		cni_externals(r->world)[k].flags &= ~(uint32_t)CNI_EXTERNAL_DEFERRED;
-}
-
 static int32_t is_active(const cni_external *externals, int32_t k)
 {
 	return k != 0 && !(externals[k].flags & CNI_EXTERNAL_FINISHED);
@@ -271,6 +264,7 @@ static void systems_done(const cn_world *world, cni_sparse *direct)
 static void rest_run(rest *r, const cni_solve *s)
 {
 	float speed = CNI_REST_SPEED * r->world->settings.length_unit;
+	int32_t k;
 	r->h = s->h;
 	r->residual = 0.001f * speed;
 	r->solved = CNI_REST_SOLVED_PART * speed;
@@ -285,7 +279,8 @@ static void rest_run(rest *r, const cni_solve *s)
 		blocks_unlist(r->world, r->active);
 		systems_done(r->world, s->direct);
 	}
-	carried_clear(r);
+	for (k = 0; k < r->world->awake_count && r->carried > 0; ++k)
+		cni_externals(r->world)[k].flags &= ~(uint32_t)CNI_EXTERNAL_DEFERRED;
 }
 
 void cni_rest_find(cn_world *world, const cni_solve *s)
@@ -293,11 +288,10 @@ void cni_rest_find(cn_world *world, const cni_solve *s)
 	rest r = { world, s->team, NULL, NULL, 0, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0, 0, 0 };
 	if (s->substeps < 2)
 		return;
-	r.moving = (uint32_t *)cni_scratch_push(world, sizeof(uint32_t) * (uint64_t)cni_max_i(world->step_island_count, 1));
-	if (r.moving != NULL)
-		r.slow = (int32_t *)cni_scratch_push(world, sizeof(int32_t) * (uint64_t)world->awake_count);
-	if (r.slow != NULL) /* otherwise all substeps solve everything */
-		rest_run(&r, s);
-	(void)cni_arena_pop(&world->arena, r.slow);
+	r.moving = (uint32_t *)cni_scratch_push(world, sizeof(int32_t) * (uint64_t)(world->step_island_count + world->awake_count));
+	if (r.moving == NULL)
+		return; /* all substeps solve everything */
+	r.slow = (int32_t *)(void *)(r.moving + world->step_island_count);
+	rest_run(&r, s);
 	(void)cni_arena_pop(&world->arena, r.moving);
 }

@@ -50,12 +50,6 @@ static void sum_exactly(float *high, float *low, float change)
 	*high = sum;
 }
 
-/* Rotation by any angle that a body can turn in a step. */
-static cni_rot rotate_by(cni_rot q, float theta)
-{
-	return cni_rot_normalize(cni_rot_mul(q, cni_sincos(theta)));
-}
-
 /* A change too small for the pose only enters the low part: the body does not count as moved. */
 static void take_pose(cn_world *world, int32_t body, cni_motion *m)
 {
@@ -66,7 +60,7 @@ static void take_pose(cn_world *world, int32_t body, cni_motion *m)
 	sum_exactly(&b->cx, &b->cx_low, m->dpx);
 	sum_exactly(&b->cy, &b->cy_low, m->dpy);
 	if (m->theta != 0.0f)
-		b->q = rotate_by(b->q, m->theta);
+		b->q = cni_rot_normalize(cni_rot_mul(b->q, cni_sincos(m->theta)));
 	after = cni_body_pose(b);
 	cni_body_set_room(b, cni_body_room(b) - cni_body_reach(b, m->dpx, m->dpy, m->theta));
 	if (before.position_m.x != after.position_m.x || before.position_m.y != after.position_m.y || before.cosine != after.cosine ||

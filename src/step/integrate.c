@@ -186,8 +186,7 @@ void cni_external_prepare(cn_world *world, const cni_solve *s)
 	if (cni_has_areas(world))
 		cni_areas_accelerate(world, s->dt);
 	bodies_run(world->team, DRIVES_A_RANGE, external_range, world, s, 0);
-	if (world->awake_islands != NULL && world->island_used > world->awake_count / FEW_ISLANDS_PART) /* an awake island has two bodies or
-	                                                                                                   more */
+	if (world->awake_islands != NULL && world->island_used > world->awake_count / FEW_ISLANDS_PART) /* awake ones have two bodies or more */
 		world->step_islands = (int32_t *)cni_arena_push(&world->arena, sizeof(int32_t) * (uint64_t)world->awake_count / 2);
 	world->step_island_count = some ? world->island_used : 0;
 	if (world->step_islands != NULL)

@@ -66,11 +66,6 @@ typedef struct projection {
 
 /* ---- which islands ---- */
 
-static int32_t body_is_projected(const cn_world *world, const cni_body *b)
-{
-	return !cni_body_is_jointed(world, b) && !(b->flags & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y));
-}
-
 static int32_t island_is_projected(const projection *p, int32_t island)
 {
 	cn_world *world = p->world;
@@ -78,9 +73,11 @@ static int32_t island_is_projected(const projection *p, int32_t island)
 	int32_t body;
 	if (i->tier == CNI_TIER_DIRECT || !cni_island_is_slower(world, i, world->settings.sleep_speed))
 		return 0;
-	for (body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
-		if (!body_is_projected(world, cni_body_at(world, body)))
+	for (body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next) {
+		const cni_body *b = cni_body_at(world, body);
+		if (cni_body_is_jointed(world, b) || (b->flags & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y)))
 			return 0;
+	}
 	if (world->step_count + 1u - i->projected_step > STEPS_FORGET)
 		i->projected_steps = 0;
 	if (i->projected_steps >= STEPS_MOST || cni_pile_is_supported(world, island, p->s->h))

@@ -78,12 +78,6 @@ static int32_t rested(const cn_world *world, float time)
 	return time >= world->settings.sleep_delay && time > 0.0f;
 }
 
-/* Are there more islands than awake bodies? Then loops over the island table are avoided. */
-static int32_t islands_are_many(const cn_world *world)
-{
-	return world->island_used > world->awake_count;
-}
-
 /* Is the body so slow that it moves by less than the accuracy in a second? */
 static int32_t is_still(const cn_world *world, const cni_body *b)
 {
@@ -173,7 +167,7 @@ void cni_stage_sleep(cn_world *world)
 	r = rests_find(world);
 	if (split_one(world, r.split))
 		r = rests_find(world);
-	if (!r.alone && !islands_are_many(world) && !some_island_may_sleep(world))
+	if (!r.alone && world->island_used <= world->awake_count && !some_island_may_sleep(world)) /* of many islands most sleep */
 		return;
 	before = world->awake_count;
 	most = cni_max_i(SLEEP_LEAST, before / SLEEP_SHARE);

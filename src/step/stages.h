@@ -11,8 +11,7 @@ cni_solve cni_solve_make(const cn_world *world, float dt, int32_t substeps);
 cni_solve cni_solve_make_sequential(const cn_world *world, float dt);
 /* Stage 6. */
 void cni_external_prepare(cn_world *world, const cni_solve *s);           /* external accelerations; the whole step of free bodies */
-void cni_external_finish(cn_world *world);                                /* before islands may change: frees their arrays by dense
-                                                                             index */
+void cni_external_finish(cn_world *world);                                /* before islands may change: frees their numbers */
 void cni_external_prepare_bound(cn_world *world, float dt);               /* external accelerations; treats no body as free */
 /* Before external accelerations: those of bodies in areas. */
 void cni_areas_accelerate(cn_world *world, float dt);

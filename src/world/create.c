@@ -303,11 +303,6 @@ static void pieces_make(const cn_world_def *d, cni_pieces out[PIECE_KINDS])
 	out[2].count = reserves(d, CN_RESERVE_NAMES) ? d->body_capacity : 0;
 }
 
-static int32_t blocks_for(int32_t lanes)
-{
-	return lanes / CNI_LANES + (CNI_LANES == 1 ? 0 : cni_min_i(lanes, CNI_COLORS));
-}
-
 /* Most islands: bodies that touch nothing have none. */
 static int32_t islands_for(int32_t bodies)
 {
@@ -336,7 +331,7 @@ static uint64_t arena_bytes(const cn_world_def *d)
 	uint64_t joints = solver_bytes(d), scratch = boxes > pairs ? boxes : pairs;
 	joints += 128u + (uint64_t)islands_for(d->body_capacity) + 3u * sizeof(int32_t) * ((uint64_t)d->body_capacity + 1u); /* cni_angular_momentum_restore; cni_rest_find takes less */
 	joints += 64u + sizeof(int32_t) * ((uint64_t)d->body_capacity + 1u) * 3u / 2u; /* the islands of awake bodies */
-	joints += 64u + sizeof(cni_block_sums) * (uint64_t)cni_min_i(blocks_for(touching_of(d)), events_of(d));
+	joints += 64u + sizeof(cni_block_sums) * (uint64_t)cni_min_i(cni_lane_blocks_for(touching_of(d)), events_of(d));
 	return (scratch > joints ? scratch : joints) + island;
 }
 
@@ -350,7 +345,7 @@ static void rooms_make(const cn_world_def *d, int32_t fixed, int32_t rooms[ROOMS
 	rooms[ROOM_CONTACTS] = contacts;
 	rooms[ROOM_DENSE] = bodies + 1;
 	rooms[ROOM_ISLANDS] = islands_for(bodies);
-	rooms[ROOM_BLOCKS] = blocks_for(touching_of(d));
+	rooms[ROOM_BLOCKS] = cni_lane_blocks_for(touching_of(d));
 	rooms[ROOM_JOINT_BLOCKS] = cni_joint_blocks_for(joints);
 	if (!fixed)
 		return;

@@ -161,7 +161,7 @@ static void draw_joint(const cn_world *world, const cn_debug_draw *d, int32_t jo
 	}
 	segment(d, anchor[0], anchor[1], COLOR_JOINT);
 	for (k = 0; k < count; ++k) {
-		cni_vec2 along = cni_v(rows[k].bx, rows[k].by);
+		cni_vec2 along = cni_v(rows[k].lever.bx, rows[k].lever.by);
 		if (rows[k].kind == CNI_ROW_LIMIT && !rows[k].angular)
 			segment(d, anchor[1], cni_madd(anchor[1], -rows[k].error, along), COLOR_LIMIT);
 	}

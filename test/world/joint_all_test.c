@@ -2,7 +2,7 @@
  * test/world/joint_all_test.c - what all types of joints promise alike: errors that stay bounded, sleep, every way to end,
  * definitions that are read back, equal runs.
  *
- * If a test here fails, look first in: model/joint_<type>.c of the type that it names, world/joint_kinds.c (definitions),
+ * If a test here fails, look first in: joints/joint_type.c, world/joint_kinds.c (definitions),
  * model/joint.c (sleep, destruction).
  */
 #include "joints.h"

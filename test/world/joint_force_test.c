@@ -2,8 +2,8 @@
  * test/world/joint_force_test.c - what joints bear: welds under load and their stiffness, bounds on force and torque,
  * thresholds at which they break and the events that tell, and reactions of all types against statics.
  *
- * If a test here fails, look first in: joints/joint_solve.c (bounds, stiffness, breaking), joints/joint_fixed.c,
- * model/event.c, then model/joint_<type>.c.
+ * If a test here fails, look first in: joints/joint_solve.c (bounds, stiffness, breaking), model/event.c,
+ * then joints/joint_type.c.
  */
 #include "joints.h"
 

@@ -2,8 +2,7 @@
  * test/world/joint_spring_test.c - springs of revolute and distance joints against the law of the damped spring: period,
  * decay, sag under a load, and that they hold whatever their frequency.
  *
- * If a test here fails, look first in: step/solve_make.c (what a spring is in a substep), joints/joint_revolute.c,
- * joint_distance.c.
+ * If a test here fails, look first in: step/solve_make.c (what a spring is in a substep), joints/joint_type.c.
  */
 #include "joints.h"
 

@@ -3,7 +3,7 @@
  * reactions, and what either side may be attached to. Springs are in joint_spring_test.c.
  *
  * If a test here fails, look first in: joints/joint_solve.c (reactions), direct/rattle.c (periods),
- * joints/joint_revolute.c and joint_distance.c (limits, motors).
+ * joints/joint_type.c (limits, motors).
  */
 #include "joints.h"
 

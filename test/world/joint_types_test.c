@@ -2,7 +2,7 @@
  * test/world/joint_types_test.c - every joint type but revolute, distance (joint_test.c) and fixed (joint_force_test.c)
  * against closed forms.
  *
- * If a test here fails, look first in: model/joint_<type>.c (its rows), joints/joint_turns.c (gear, ratchet,
+ * If a test here fails, look first in: joints/joint_type.c (rows), joints/joint_turns.c (gear, ratchet,
  * rotary spring), joints/joint_solve.c.
  */
 #include "joints.h"

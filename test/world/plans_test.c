@@ -7,7 +7,7 @@
 #include "base/hooks.h"
 #include "joints.h"
 #include "model/world.h"
-#include "joints/joint_constraint.h"
+#include "joints/joint_pass.h"
 
 #define STEPS 420
 #define PARTS 9
