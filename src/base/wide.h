@@ -150,14 +150,6 @@ CNI_INLINE cni_wide cni_wide_gather_from(const float *const *records, size_t off
 
 #if CNI_WIDTH == 1
 
-CNI_INLINE void cni_wide_gather4(const float *base, int32_t stride, const int32_t *index, cni_wide *a, cni_wide *b, cni_wide *c, cni_wide *d)
-{
-	const float *r = base + (size_t)index[0] * (size_t)stride;
-	*a = r[0];
-	*b = r[1];
-	*c = r[2];
-	*d = r[3];
-}
 CNI_INLINE void cni_wide_gather4_from(const float *const *records, int32_t offset, cni_wide *a, cni_wide *b, cni_wide *c, cni_wide *d)
 {
 	const float *r = records[0] + offset;
@@ -166,13 +158,9 @@ CNI_INLINE void cni_wide_gather4_from(const float *const *records, int32_t offse
 	*c = r[2];
 	*d = r[3];
 }
-CNI_INLINE void cni_wide_scatter4(float *base, int32_t stride, const int32_t *index, cni_wide a, cni_wide b, cni_wide c, cni_wide d)
+CNI_INLINE void cni_wide_gather4(const float *base, int32_t stride, const int32_t *index, cni_wide *a, cni_wide *b, cni_wide *c, cni_wide *d)
 {
-	float *r = base + (size_t)index[0] * (size_t)stride;
-	r[0] = a;
-	r[1] = b;
-	r[2] = c;
-	r[3] = d;
+	cni_wide_gather4_from(&base, index[0] * stride, a, b, c, d);
 }
 CNI_INLINE void cni_wide_scatter4_to(float *const *records, int32_t offset, cni_wide a, cni_wide b, cni_wide c, cni_wide d)
 {
@@ -181,6 +169,10 @@ CNI_INLINE void cni_wide_scatter4_to(float *const *records, int32_t offset, cni_
 	r[1] = b;
 	r[2] = c;
 	r[3] = d;
+}
+CNI_INLINE void cni_wide_scatter4(float *base, int32_t stride, const int32_t *index, cni_wide a, cni_wide b, cni_wide c, cni_wide d)
+{
+	cni_wide_scatter4_to(&base, index[0] * stride, a, b, c, d);
 }
 CNI_INLINE void cni_wide_scatter4_where(float *base, int32_t stride, const int32_t *index, uint32_t lanes, cni_wide a, cni_wide b, cni_wide c, cni_wide d)
 {

@@ -18,14 +18,6 @@ typedef struct moments {
 	float second;    /* integral of |position|^2 */
 } moments;
 
-/* Adds a piece by its area, its centroid, and its polar moment about the centroid. */
-static void moments_add(moments *sum, float area, cni_vec2 center, float second)
-{
-	sum->area += area;
-	sum->first = cni_madd(sum->first, area, center);
-	sum->second += second + area * cni_length_sq(center);
-}
-
 /* Triangle (origin, a, b), signed. */
 static void triangle_add(moments *sum, cni_vec2 a, cni_vec2 b)
 {
@@ -41,7 +33,9 @@ static void border_add(moments *sum, cni_vec2 a, cni_vec2 b, cni_vec2 normal, fl
 	float length = cni_length(cni_sub(b, a));
 	float area = length * width;
 	cni_vec2 center = cni_madd(cni_lerp(a, b, 0.5f), 0.5f * width, normal);
-	moments_add(sum, area, center, area * (length * length + width * width) / 12.0f);
+	sum->area += area;
+	sum->first = cni_madd(sum->first, area, center);
+	sum->second += area * (length * length + width * width) / 12.0f + area * cni_length_sq(center);
 }
 
 static void sector_add(moments *sum, cni_vec2 v, cni_vec2 n1, cni_vec2 n2, float radius)
