@@ -180,13 +180,6 @@ int32_t cni_handles_peek(const cni_handles *handles)
 	return handles->free_first != CNI_NONE ? handles->free_first : handles->slots.count;
 }
 
-static void queue_remove_first(cni_handles *handles)
-{
-	handles->free_first = (int32_t)(slots_of(handles)[handles->free_first] & NEXT_MASK) - 1;
-	if (handles->free_first == CNI_NONE)
-		handles->free_last = CNI_NONE;
-}
-
 static void queue_append(cni_handles *handles, int32_t slot)
 {
 	if (handles->free_last == CNI_NONE)
@@ -211,10 +204,12 @@ int32_t cni_handles_take(cni_handles *handles)
 	int32_t slot = cni_handles_peek(handles);
 	uint32_t *word = slots_of(handles) + slot;
 	CNI_ASSERT(slot < handles->slots.capacity && slot < CN_MAX_HANDLES);
-	if (slot == handles->slots.count)
+	if (slot == handles->slots.count) {
 		*word = slot_new(handles, slot);
-	else
-		queue_remove_first(handles);
+	} else {
+		handles->free_first = (int32_t)(*word & NEXT_MASK) - 1;
+		handles->free_last = handles->free_first != CNI_NONE ? handles->free_last : CNI_NONE;
+	}
 	if (*word >> CNI_HANDLE_GENERATION_SHIFT == 0) {
 		handles->worn -= 1;
 		alias_give(handles, slot);

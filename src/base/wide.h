@@ -193,11 +193,6 @@ CNI_INLINE void cni_wide_transpose(cni_wide4 *a, cni_wide4 *b, cni_wide4 *c, cni
 	*d = __builtin_shufflevector(ab_high, cd_high, 2, 3, 6, 7);
 }
 
-CNI_INLINE cni_wide4 cni_wide4_at(const float *base, int32_t stride, int32_t index)
-{
-	return *(const cni_wide4 *)(const void *)(base + (size_t)index * (size_t)stride);
-}
-
 #if CNI_WIDTH == 8
 
 /* Joins two rows of four: those of lanes l and l + 4. The instruction can take the second one from memory; gcc does not
@@ -257,7 +252,7 @@ CNI_INLINE void cni_wide_gather4(const float *base, int32_t stride, const int32_
 	cni_wide4 r[CNI_WIDTH];
 	int32_t l;
 	for (l = 0; l < CNI_WIDTH; ++l)
-		r[l] = cni_wide4_at(base, stride, index[l]);
+		r[l] = *(const cni_wide4 *)(const void *)(base + (size_t)index[l] * (size_t)stride);
 	cni_wide_columns(r, a, b, c, d);
 }
 
@@ -293,13 +288,20 @@ CNI_INLINE void cni_wide_rows(cni_wide4 r[CNI_WIDTH], cni_wide a, cni_wide b, cn
 #endif
 }
 
-CNI_INLINE void cni_wide_scatter4(float *base, int32_t stride, const int32_t *index, cni_wide a, cni_wide b, cni_wide c, cni_wide d)
+/* Only for the lanes whose bits are set; the other records are not written. */
+CNI_INLINE void cni_wide_scatter4_where(float *base, int32_t stride, const int32_t *index, uint32_t lanes, cni_wide a, cni_wide b, cni_wide c, cni_wide d)
 {
 	cni_wide4 r[CNI_WIDTH];
 	int32_t l;
 	cni_wide_rows(r, a, b, c, d);
 	for (l = 0; l < CNI_WIDTH; ++l)
-		*(cni_wide4 *)(void *)(base + (size_t)index[l] * (size_t)stride) = r[l];
+		if (lanes >> l & 1u)
+			*(cni_wide4 *)(void *)(base + (size_t)index[l] * (size_t)stride) = r[l];
+}
+
+CNI_INLINE void cni_wide_scatter4(float *base, int32_t stride, const int32_t *index, cni_wide a, cni_wide b, cni_wide c, cni_wide d)
+{
+	cni_wide_scatter4_where(base, stride, index, (1u << CNI_WIDTH) - 1u, a, b, c, d);
 }
 
 /* The same to records at any address: floats offset .. offset + 3 of each. */
@@ -339,17 +341,6 @@ CNI_INLINE void cni_wide_scatter2_to(float *const *records, int32_t offset, cni_
 	cni_wide_pair_to(records[4] + offset, records[5] + offset, cni_wide_high(low));
 	cni_wide_pair_to(records[6] + offset, records[7] + offset, cni_wide_high(high));
 #endif
-}
-
-/* As cni_wide_scatter4, only for the lanes whose bits are set; the other records are not written. */
-CNI_INLINE void cni_wide_scatter4_where(float *base, int32_t stride, const int32_t *index, uint32_t lanes, cni_wide a, cni_wide b, cni_wide c, cni_wide d)
-{
-	cni_wide4 r[CNI_WIDTH];
-	int32_t l;
-	cni_wide_rows(r, a, b, c, d);
-	for (l = 0; l < CNI_WIDTH; ++l)
-		if (lanes >> l & 1u)
-			*(cni_wide4 *)(void *)(base + (size_t)index[l] * (size_t)stride) = r[l];
 }
 
 #endif
