@@ -11,6 +11,7 @@
  * alias at once.
  */
 #include "base/handles.h"
+#include "base/maths.h"
 
 #include <string.h>
 
@@ -161,16 +162,11 @@ static int32_t aliases_wanted(const cni_handles *handles, int32_t slots)
 
 cn_result cni_handles_reserve(cni_handles *handles, cni_memory *memory, int32_t extra)
 {
-	int32_t used = handles->slots.count;
-	int32_t queued = used - handles->count;
-	int32_t slots = used;
-	if (extra - queued > CN_MAX_HANDLES - used)
+	int32_t used = handles->slots.count, lacking = cni_max_i(extra - (used - handles->count), 0), good;
+	if (lacking > CN_MAX_HANDLES - used)
 		return CN_ERROR_CAPACITY;
-	if (extra > queued)
-		slots += extra - queued;
-	if (!cni_array_reserve(&handles->slots, memory, slots))
-		return CN_ERROR_MEMORY;
-	return cni_handles_reserve_aliases(handles, memory, aliases_wanted(handles, slots)) ? CN_OK : CN_ERROR_MEMORY;
+	good = cni_array_reserve(&handles->slots, memory, used + lacking) && cni_handles_reserve_aliases(handles, memory, aliases_wanted(handles, used + lacking));
+	return good ? CN_OK : CN_ERROR_MEMORY;
 }
 
 /* ---- slots ---- */

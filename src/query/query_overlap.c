@@ -74,9 +74,7 @@ static int32_t chain_begins_with(const overlap_query *q, cni_query_target t)
 /* Whether a shape overlaps and is not in the list. */
 static int32_t overlap_finds(overlap_query *q, const cni_query_target *t)
 {
-	if (t->shape->type == CN_SHAPE_CHAIN && chain_is_known(q, t->index))
-		return 0;
-	if (!q->test(q, t))
+	if ((t->shape->type == CN_SHAPE_CHAIN && chain_is_known(q, t->index)) || !q->test(q, t))
 		return 0;
 	if (t->shape->type != CN_SHAPE_CHAIN)
 		return 1;

@@ -30,14 +30,13 @@ static void forget_missing_rows(const cn_world *world, cni_joint *j)
 {
 	cni_joint_frame frame = cni_joint_frame_make(world, j);
 	cni_row rows[CNI_JOINT_ROWS];
-	int32_t count = cni_joint_type_of(j->type)->rows(j, &frame, rows), slot, k;
-	for (slot = 0; slot < CNI_JOINT_ROWS; ++slot) {
-		int32_t present = 0;
-		for (k = 0; k < count; ++k)
-			present |= rows[k].slot == slot;
-		if (!present)
-			j->impulse[slot] = 0.0f;
-	}
+	int32_t count = cni_joint_type_of(j->type)->rows(j, &frame, rows), k;
+	uint32_t present = 0;
+	for (k = 0; k < count; ++k)
+		present |= 1u << rows[k].slot;
+	for (k = 0; k < CNI_JOINT_ROWS; ++k)
+		if (!(present >> k & 1u))
+			j->impulse[k] = 0.0f;
 }
 
 void cni_joint_change_flags(cn_world *world, int32_t joint, uint32_t flags)
