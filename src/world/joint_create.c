@@ -267,34 +267,37 @@ cn_result cn_joint_set_base(cn_world *world, cn_joint joint, const cn_joint_base
 
 /* ------------------------------------------------------------------ by type */
 
-/* noun: joint or constraint. */
-#define DEFINE_CREATE(noun, type, name, definition) \
+/* noun: joint or constraint; create, set: the functions above. */
+#define DEFINE_CREATE(noun, create, type, name, definition) \
 	void definition##_init(definition *def) { cni_joint_def_init(type, def); } \
 	cn_result cn_##noun##_create_##name(cn_world *world, const definition *def, cn_##noun *out_##noun) \
 	{ \
-		return noun##_create(world, __func__, type, def, out_##noun); \
+		return create(world, __func__, type, def, out_##noun); \
 	}
-#define DEFINE_GET_AND_SET(noun, type, name, definition) \
+#define DEFINE_GET_AND_SET(noun, set, type, name, definition) \
 	cn_result cn_##noun##_get_##name(const cn_world *world, cn_##noun noun, definition *out) { return joint_get(world, type, noun, out); } \
 	cn_result cn_##noun##_set_##name(cn_world *world, cn_##noun noun, const definition *def) \
 	{ \
-		return noun##_set(world, __func__, type, noun, def); \
+		return set(world, __func__, type, noun, def); \
 	}
-#define DEFINE_ALL(noun, type, name, definition) DEFINE_CREATE(noun, type, name, definition) DEFINE_GET_AND_SET(noun, type, name, definition)
+#define DEFINE_JOINT(type, name, definition) \
+	DEFINE_CREATE(joint, joint_create, type, name, definition) DEFINE_GET_AND_SET(joint, joint_set, type, name, definition)
+#define DEFINE_CONSTRAINT(type, name, definition) \
+	DEFINE_CREATE(constraint, constraint_create, type, name, definition) DEFINE_GET_AND_SET(constraint, constraint_set, type, name, definition)
 
-DEFINE_ALL(joint, CN_JOINT_REVOLUTE, revolute, cn_revolute_def)
-DEFINE_ALL(joint, CN_JOINT_DISTANCE, distance, cn_distance_def)
-DEFINE_ALL(joint, CN_JOINT_FIXED, fixed, cn_fixed_def)
-DEFINE_ALL(joint, CN_JOINT_PRISMATIC, prismatic, cn_prismatic_def)
-DEFINE_ALL(joint, CN_JOINT_WHEEL, wheel, cn_wheel_def)
-DEFINE_CREATE(joint, CN_JOINT_MOTOR_TO, motor, cn_motor_def)
-DEFINE_GET_AND_SET(joint, CN_JOINT_MOTOR_TO, motor_to, cn_motor_def)
-DEFINE_ALL(joint, CN_JOINT_MOUSE, mouse, cn_mouse_def)
-DEFINE_ALL(joint, CN_JOINT_GEAR, gear, cn_gear_def)
-DEFINE_ALL(joint, CN_JOINT_PULLEY, pulley, cn_pulley_def)
-DEFINE_ALL(joint, CN_JOINT_RATCHET, ratchet, cn_ratchet_def)
-DEFINE_ALL(joint, CN_JOINT_ROTARY_SPRING, rotary_spring, cn_rotary_spring_def)
-DEFINE_ALL(joint, CN_JOINT_GROOVE, groove, cn_groove_def)
-DEFINE_CREATE(joint, CN_JOINT_FILTER, filter, cn_filter_joint_def)
-DEFINE_ALL(constraint, CNI_JOINT_ANGLE, angle, cn_angle_constraint_def)
-DEFINE_ALL(constraint, CNI_JOINT_LINE, line, cn_line_constraint_def)
+DEFINE_JOINT(CN_JOINT_REVOLUTE, revolute, cn_revolute_def)
+DEFINE_JOINT(CN_JOINT_DISTANCE, distance, cn_distance_def)
+DEFINE_JOINT(CN_JOINT_FIXED, fixed, cn_fixed_def)
+DEFINE_JOINT(CN_JOINT_PRISMATIC, prismatic, cn_prismatic_def)
+DEFINE_JOINT(CN_JOINT_WHEEL, wheel, cn_wheel_def)
+DEFINE_CREATE(joint, joint_create, CN_JOINT_MOTOR_TO, motor, cn_motor_def)
+DEFINE_GET_AND_SET(joint, joint_set, CN_JOINT_MOTOR_TO, motor_to, cn_motor_def)
+DEFINE_JOINT(CN_JOINT_MOUSE, mouse, cn_mouse_def)
+DEFINE_JOINT(CN_JOINT_GEAR, gear, cn_gear_def)
+DEFINE_JOINT(CN_JOINT_PULLEY, pulley, cn_pulley_def)
+DEFINE_JOINT(CN_JOINT_RATCHET, ratchet, cn_ratchet_def)
+DEFINE_JOINT(CN_JOINT_ROTARY_SPRING, rotary_spring, cn_rotary_spring_def)
+DEFINE_JOINT(CN_JOINT_GROOVE, groove, cn_groove_def)
+DEFINE_CREATE(joint, joint_create, CN_JOINT_FILTER, filter, cn_filter_joint_def)
+DEFINE_CONSTRAINT(CNI_JOINT_ANGLE, angle, cn_angle_constraint_def)
+DEFINE_CONSTRAINT(CNI_JOINT_LINE, line, cn_line_constraint_def)

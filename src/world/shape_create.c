@@ -327,23 +327,23 @@ static cn_result chain_change(cni_call *call, cn_world *world, cn_shape shape, s
 /* ------------------------------------------------------------------ by type */
 
 /* Defines cn_shape_create_<name> and cn_shape_set_<name>. */
-#define DEFINE_TYPE(name, change) \
+#define DEFINE_TYPE(name, source, change) \
 	cn_result cn_shape_create_##name(cn_world *world, const cn_shape_def *def, const cn_##name *name, cn_shape *out_shape) \
 	{ \
 		cni_call call = cni_enter(world, __func__); \
-		return shape_create(&call, world, def, source_##name(&call, name), out_shape); \
+		return shape_create(&call, world, def, source(&call, name), out_shape); \
 	} \
 	cn_result cn_shape_set_##name(cn_world *world, cn_shape shape, const cn_##name *name) \
 	{ \
 		cni_call call = cni_enter(world, __func__); \
-		return change(&call, world, shape, source_##name(&call, name)); \
+		return change(&call, world, shape, source(&call, name)); \
 	}
 
-DEFINE_TYPE(circle, single_change)
-DEFINE_TYPE(capsule, single_change)
-DEFINE_TYPE(edge, single_change)
-DEFINE_TYPE(polygon, single_change)
-DEFINE_TYPE(chain, chain_change)
+DEFINE_TYPE(circle, source_circle, single_change)
+DEFINE_TYPE(capsule, source_capsule, single_change)
+DEFINE_TYPE(edge, source_edge, single_change)
+DEFINE_TYPE(polygon, source_polygon, single_change)
+DEFINE_TYPE(chain, source_chain, chain_change)
 
 cn_result cn_shape_create_box(cn_world *world, const cn_shape_def *def, float half_width_m, float half_height_m, float radius_m, cn_shape *out_shape)
 {
