@@ -32,44 +32,43 @@ cn_result cn_world_set_contact_callback(cn_world *world, int32_t kind, cn_contac
 
 /* ------------------------------------------------------------------ lists */
 
-static int32_t next_contact(const cn_world *world, int32_t key, int32_t shape)
+/* Those of sensors have events of their own. */
+static void contact_read(const cn_world *world, int32_t key, cn_contact_event *out, int32_t capacity, int32_t *count)
 {
-	return shape != CNI_NONE ? cni_contact_next_of_shape(world, key, shape) : cni_contact_of_key(world, key)->next[key & 1];
-}
-
-/* Contacts of a shape, or of a body (CNI_NONE), from the first key on. Those of sensors have events of their own. */
-static cn_result list_contacts(cni_call *call, int32_t first, int32_t shape, cn_contact_event *out, int32_t capacity, int32_t *out_count)
-{
-	const cn_world *world = call->world;
-	int32_t key, count = 0;
-	cni_check_output(call, out, capacity, out_count);
-	if (call->result != CN_OK)
-		return call->result;
-	for (key = first; key != CNI_NONE; key = next_contact(world, key, shape)) {
-		uint32_t flags = cni_contact_of_key(world, key)->flags;
-		if (flags & CNI_CONTACT_SENSOR)
-			continue;
-		if (count < capacity)
-			cni_contact_describe(world, key >> 1, flags & CNI_CONTACT_TOUCHING ? CN_EVENT_STAY : CN_EVENT_CREATED, out + count);
-		++count;
-	}
-	*out_count = count;
-	return CN_OK;
+	uint32_t flags = cni_contact_of_key(world, key)->flags;
+	if (flags & CNI_CONTACT_SENSOR)
+		return;
+	if (*count < capacity)
+		cni_contact_describe(world, key >> 1, flags & CNI_CONTACT_TOUCHING ? CN_EVENT_STAY : CN_EVENT_CREATED, out + *count);
+	++*count;
 }
 
 cn_result cn_body_get_contacts(const cn_world *world, cn_body body, cn_contact_event *out, int32_t capacity, int32_t *out_count)
 {
 	cni_call call = cni_enter_const(world);
 	const cni_body *b = cni_check_body(&call, "body", body);
-	return list_contacts(&call, b != NULL ? b->contact_first : CNI_NONE, CNI_NONE, out, capacity, out_count);
+	int32_t key, count = 0;
+	cni_check_output(&call, out, capacity, out_count);
+	if (call.result != CN_OK)
+		return call.result;
+	for (key = b->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1])
+		contact_read(world, key, out, capacity, &count);
+	*out_count = count;
+	return CN_OK;
 }
 
 cn_result cn_shape_get_contacts(const cn_world *world, cn_shape shape, cn_contact_event *out, int32_t capacity, int32_t *out_count)
 {
 	cni_call call = cni_enter_const(world);
-	int32_t index = cni_shape_index(world, shape);
-	const cni_shape *s = cni_check_shape(&call, "shape", shape);
-	return list_contacts(&call, s != NULL ? cni_contact_first_of_shape(world, index) : CNI_NONE, index, out, capacity, out_count);
+	int32_t key, index = cni_shape_index(world, shape), count = 0;
+	cni_check_shape(&call, "shape", shape);
+	cni_check_output(&call, out, capacity, out_count);
+	if (call.result != CN_OK)
+		return call.result;
+	for (key = cni_contact_first_of_shape(world, index); key != CNI_NONE; key = cni_contact_next_of_shape(world, key, index))
+		contact_read(world, key, out, capacity, &count);
+	*out_count = count;
+	return CN_OK;
 }
 
 /* The shape that is in the sensor according to a contact, or CNI_NONE. */
