@@ -51,8 +51,6 @@ int32_t cni_arena_reserve(cni_arena *arena, uint64_t bytes)
 	if (capacity <= arena->capacity)
 		return 1;
 	CNI_ASSERT(arena->entry_count == 0);
-	if (arena->entry_count > 0)
-		return 0;
 	block = cni_memory_alloc(arena->memory, capacity);
 	if (block == NULL)
 		return 0;

@@ -217,14 +217,6 @@ static void free_push(cni_blocks *blocks, int32_t class_index, cni_ref ref)
 	blocks->free_count[class_index] += 1;
 }
 
-static cni_ref free_pop(cni_blocks *blocks, int32_t class_index)
-{
-	cni_ref ref = blocks->free_head[class_index];
-	memcpy(&blocks->free_head[class_index], cni_blocks_at(blocks, ref), sizeof(cni_ref));
-	blocks->free_count[class_index] -= 1;
-	return ref;
-}
-
 static void tail_retire(cni_blocks *blocks)
 {
 	int32_t class_index;
@@ -272,9 +264,10 @@ static int32_t chunk_add(cni_blocks *blocks, int32_t class_index, uint32_t wante
 static cni_ref class_alloc(cni_blocks *blocks, int32_t class_index)
 {
 	uint32_t units = class_units[class_index];
-	cni_ref ref;
-	if (blocks->free_head[class_index] != 0) {
-		ref = free_pop(blocks, class_index);
+	cni_ref ref = blocks->free_head[class_index];
+	if (ref != 0) {
+		memcpy(&blocks->free_head[class_index], cni_blocks_at(blocks, ref), sizeof(cni_ref));
+		blocks->free_count[class_index] -= 1;
 	} else {
 		if (blocks->tail_units < units && !chunk_add(blocks, class_index, chunk_wanted(blocks, class_index, 1)))
 			return 0;

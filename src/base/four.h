@@ -46,16 +46,8 @@ CNI_INLINE cni_four cni_four_add(cni_four a, cni_four b) { CNI_FOUR_LANES(a.lane
 CNI_INLINE cni_four cni_four_subtract(cni_four a, cni_four b) { CNI_FOUR_LANES(a.lane[l] - b.lane[l]); }
 CNI_INLINE cni_four cni_four_times(cni_four a, cni_four b) { CNI_FOUR_LANES(a.lane[l] * b.lane[l]); }
 CNI_INLINE cni_four cni_four_scale(cni_four a, float x) { CNI_FOUR_LANES(a.lane[l] * x); }
-CNI_INLINE cni_four cni_four_pick(cni_four a, cni_four b, int32_t i, int32_t k, int32_t l, int32_t m)
-{
-	cni_four out;
-	out.lane[0] = i < 4 ? a.lane[i] : b.lane[i & 3];
-	out.lane[1] = k < 4 ? a.lane[k] : b.lane[k & 3];
-	out.lane[2] = l < 4 ? a.lane[l] : b.lane[l & 3];
-	out.lane[3] = m < 4 ? a.lane[m] : b.lane[m & 3];
-	return out;
-}
-#define CNI_FOUR_PICK(a, b, i, k, l, m) cni_four_pick(a, b, i, k, l, m)
+CNI_INLINE float cni_four_lane(cni_four a, cni_four b, int32_t i) { return i < 4 ? a.lane[i] : b.lane[i & 3]; }
+#define CNI_FOUR_PICK(a, b, i, k, l, m) cni_four_of(cni_four_lane(a, b, i), cni_four_lane(a, b, k), cni_four_lane(a, b, l), cni_four_lane(a, b, m))
 
 #endif
 

@@ -11,6 +11,7 @@
  * alias at once.
  */
 #include "base/handles.h"
+#include "base/maths.h"
 
 #include <string.h>
 
@@ -161,16 +162,11 @@ static int32_t aliases_wanted(const cni_handles *handles, int32_t slots)
 
 cn_result cni_handles_reserve(cni_handles *handles, cni_memory *memory, int32_t extra)
 {
-	int32_t used = handles->slots.count;
-	int32_t queued = used - handles->count;
-	int32_t slots = used;
-	if (extra - queued > CN_MAX_HANDLES - used)
+	int32_t used = handles->slots.count, lacking = cni_max_i(extra - (used - handles->count), 0), good;
+	if (lacking > CN_MAX_HANDLES - used)
 		return CN_ERROR_CAPACITY;
-	if (extra > queued)
-		slots += extra - queued;
-	if (!cni_array_reserve(&handles->slots, memory, slots))
-		return CN_ERROR_MEMORY;
-	return cni_handles_reserve_aliases(handles, memory, aliases_wanted(handles, slots)) ? CN_OK : CN_ERROR_MEMORY;
+	good = cni_array_reserve(&handles->slots, memory, used + lacking) && cni_handles_reserve_aliases(handles, memory, aliases_wanted(handles, used + lacking));
+	return good ? CN_OK : CN_ERROR_MEMORY;
 }
 
 /* ---- slots ---- */
@@ -178,13 +174,6 @@ cn_result cni_handles_reserve(cni_handles *handles, cni_memory *memory, int32_t 
 int32_t cni_handles_peek(const cni_handles *handles)
 {
 	return handles->free_first != CNI_NONE ? handles->free_first : handles->slots.count;
-}
-
-static void queue_remove_first(cni_handles *handles)
-{
-	handles->free_first = (int32_t)(slots_of(handles)[handles->free_first] & NEXT_MASK) - 1;
-	if (handles->free_first == CNI_NONE)
-		handles->free_last = CNI_NONE;
 }
 
 static void queue_append(cni_handles *handles, int32_t slot)
@@ -211,10 +200,12 @@ int32_t cni_handles_take(cni_handles *handles)
 	int32_t slot = cni_handles_peek(handles);
 	uint32_t *word = slots_of(handles) + slot;
 	CNI_ASSERT(slot < handles->slots.capacity && slot < CN_MAX_HANDLES);
-	if (slot == handles->slots.count)
+	if (slot == handles->slots.count) {
 		*word = slot_new(handles, slot);
-	else
-		queue_remove_first(handles);
+	} else {
+		handles->free_first = (int32_t)(*word & NEXT_MASK) - 1;
+		handles->free_last = handles->free_first != CNI_NONE ? handles->free_last : CNI_NONE;
+	}
 	if (*word >> CNI_HANDLE_GENERATION_SHIFT == 0) {
 		handles->worn -= 1;
 		alias_give(handles, slot);

@@ -65,15 +65,12 @@ int32_t cni_handles_alive(const cni_handles *handles, int32_t slot);
 /* One past the highest slot ever taken. */
 static inline int32_t cni_handles_used(const cni_handles *handles) { return handles->slots.count; }
 
-/* From the word of a slot. */
-static inline int32_t cni_slot_is_alive(uint32_t word) { return (word & CNI_HANDLE_ALIVE_BIT) != 0; }
-
 /* The first live slot from this one on; CNI_NONE: there are no more. */
 static inline int32_t cni_handles_next(const cni_handles *handles, int32_t slot)
 {
 	const uint32_t *words = (const uint32_t *)handles->slots.data;
 	for (; slot < handles->slots.count; ++slot)
-		if (cni_slot_is_alive(words[slot]))
+		if (words[slot] & CNI_HANDLE_ALIVE_BIT)
 			return slot;
 	return CNI_NONE;
 }

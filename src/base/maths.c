@@ -15,8 +15,6 @@
  */
 #include "base/maths.h"
 
-#include <string.h>
-
 #define REDUCE_SMALL_MAX_RAD 1.0e4f
 #define WRAP_SMALL_MAX_RAD 1.0e5f
 
@@ -69,11 +67,10 @@ static float float_of(uint64_t x)
 static uint32_t reduce_large(float x, float *rest_rad)
 {
 	const uint64_t quarter = UINT64_C(1) << 62;
-	uint32_t bits;
+	uint32_t bits = cni_bits_of(x);
 	uint64_t m, low, middle, high, fixed, k;
 	int32_t start;
 	float rest;
-	memcpy(&bits, &x, sizeof bits);
 	m = (bits & 0x7FFFFFu) | 0x800000u;
 	start = (int32_t)(bits >> 23 & 255u) - 150 + 30;
 	CNI_ASSERT(start >= 0);

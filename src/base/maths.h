@@ -8,6 +8,7 @@
 #include "base/config.h"
 #include "cairn.h"
 #include <math.h>
+#include <string.h>
 
 #define CNI_PI 3.14159265358979f
 
@@ -126,6 +127,19 @@ static inline cni_aabb cni_no_box(void)
 	return box;
 }
 
+/* The bits of a float, and back. */
+static inline uint32_t cni_bits_of(float x)
+{
+	uint32_t bits;
+	memcpy(&bits, &x, sizeof bits);
+	return bits;
+}
+static inline float cni_float_of(uint32_t bits)
+{
+	float x;
+	memcpy(&x, &bits, sizeof x);
+	return x;
+}
 static inline float cni_sq(float x) { return x * x; }
 static inline float cni_inverse_or_zero(float x) { return x > 0.0f ? 1.0f / x : 0.0f; }
 /* 1 when neither NaN nor infinite. */

@@ -56,12 +56,6 @@ void cni_snapshot_array(cni_snapshot *s, cni_array *array)
 		array->count = count;
 }
 
-static void items_clear(cni_table *table, int32_t begin, int32_t end)
-{
-	for (; begin < end; ++begin)
-		memset(cni_table_at(table, begin), 0, (size_t)table->item_bytes);
-}
-
 void cni_snapshot_table(cni_snapshot *s, cni_table *table, int32_t used)
 {
 	int32_t count = cni_snapshot_number(s, used), page_items = 1 << table->page_shift, k;
@@ -76,26 +70,23 @@ void cni_snapshot_table(cni_snapshot *s, cni_table *table, int32_t used)
 		int32_t items = count - k < page_items ? count - k : page_items;
 		cni_snapshot_state(s, cni_table_at(table, k), (uint64_t)items * item_bytes);
 	}
-	if (s->mode == CNI_SNAPSHOT_LOAD)
-		items_clear(table, count, used);
+	for (k = count; k < used && s->mode == CNI_SNAPSHOT_LOAD; ++k)
+		memset(cni_table_at(table, k), 0, (size_t)item_bytes);
 }
 
 /* ---- pieces ---- */
-
-/* Carved bytes of a chunk: the part before the tail, or all. */
-static uint64_t chunk_used(const cni_blocks *blocks, int32_t slot)
-{
-	if (blocks->chunks.at[slot] == NULL)
-		return 0;
-	if (blocks->tail_units > 0 && (int32_t)(blocks->tail >> 12) == slot)
-		return (uint64_t)(blocks->tail & 4095u) * CNI_BLOCK_UNIT;
-	return blocks->chunks.bytes[slot];
-}
 
 /* Bytes of a chunk, 0: there is none. */
 static uint64_t chunk_size(const cni_blocks *blocks, int32_t slot)
 {
 	return slot < blocks->chunks.count && blocks->chunks.at[slot] != NULL ? blocks->chunks.bytes[slot] : 0;
+}
+
+/* Carved ones: the part before the tail, or all. */
+static uint64_t chunk_used(const cni_blocks *blocks, int32_t slot)
+{
+	int32_t has_tail = blocks->tail_units > 0 && (int32_t)(blocks->tail >> 12) == slot;
+	return has_tail ? (uint64_t)(blocks->tail & 4095u) * CNI_BLOCK_UNIT : chunk_size(blocks, slot);
 }
 
 /* Reserves chunks of the sizes that follow in the bytes. */

@@ -10,8 +10,7 @@
  * only the bytes they use.
  */
 #include "base/sort.h"
-
-#include <string.h>
+#include "base/maths.h"
 
 #define SHORT_COUNT 32
 #define SHIFTS_PER_ITEM 4
@@ -91,8 +90,6 @@ void cni_sort_keys(uint64_t *keys, uint64_t *scratch, int32_t count)
 /* The IEEE bits of positive floats increase with the float; those of negative floats decrease, so they are inverted. */
 uint32_t cni_sort_float_key(float x)
 {
-	float positive_zero = x == 0.0f ? 0.0f : x;
-	uint32_t bits;
-	memcpy(&bits, &positive_zero, sizeof bits);
+	uint32_t bits = cni_bits_of(x == 0.0f ? 0.0f : x);
 	return bits >> 31 ? ~bits : bits | UINT32_C(0x80000000);
 }

@@ -61,9 +61,7 @@ int32_t cni_table_grow(cni_table *table, cni_memory *memory, int32_t count)
 	int64_t page_count = table_pages_for(table, count);
 	uint64_t page_bytes = table_page_bytes(table);
 	int32_t before = table->page_count, i;
-	if (page_count << table->page_shift > INT32_MAX || page_count > TABLE_PAGES_MAX)
-		return 0;
-	if (!table_reserve_pointers(table, memory, (int32_t)page_count))
+	if (page_count << table->page_shift > INT32_MAX || page_count > TABLE_PAGES_MAX || !table_reserve_pointers(table, memory, (int32_t)page_count))
 		return 0;
 	while (table->page_count < page_count) {
 		uint8_t *page = (uint8_t *)cni_memory_alloc(memory, page_bytes);

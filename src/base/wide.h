@@ -150,14 +150,6 @@ CNI_INLINE cni_wide cni_wide_gather_from(const float *const *records, size_t off
 
 #if CNI_WIDTH == 1
 
-CNI_INLINE void cni_wide_gather4(const float *base, int32_t stride, const int32_t *index, cni_wide *a, cni_wide *b, cni_wide *c, cni_wide *d)
-{
-	const float *r = base + (size_t)index[0] * (size_t)stride;
-	*a = r[0];
-	*b = r[1];
-	*c = r[2];
-	*d = r[3];
-}
 CNI_INLINE void cni_wide_gather4_from(const float *const *records, int32_t offset, cni_wide *a, cni_wide *b, cni_wide *c, cni_wide *d)
 {
 	const float *r = records[0] + offset;
@@ -166,13 +158,9 @@ CNI_INLINE void cni_wide_gather4_from(const float *const *records, int32_t offse
 	*c = r[2];
 	*d = r[3];
 }
-CNI_INLINE void cni_wide_scatter4(float *base, int32_t stride, const int32_t *index, cni_wide a, cni_wide b, cni_wide c, cni_wide d)
+CNI_INLINE void cni_wide_gather4(const float *base, int32_t stride, const int32_t *index, cni_wide *a, cni_wide *b, cni_wide *c, cni_wide *d)
 {
-	float *r = base + (size_t)index[0] * (size_t)stride;
-	r[0] = a;
-	r[1] = b;
-	r[2] = c;
-	r[3] = d;
+	cni_wide_gather4_from(&base, index[0] * stride, a, b, c, d);
 }
 CNI_INLINE void cni_wide_scatter4_to(float *const *records, int32_t offset, cni_wide a, cni_wide b, cni_wide c, cni_wide d)
 {
@@ -181,6 +169,10 @@ CNI_INLINE void cni_wide_scatter4_to(float *const *records, int32_t offset, cni_
 	r[1] = b;
 	r[2] = c;
 	r[3] = d;
+}
+CNI_INLINE void cni_wide_scatter4(float *base, int32_t stride, const int32_t *index, cni_wide a, cni_wide b, cni_wide c, cni_wide d)
+{
+	cni_wide_scatter4_to(&base, index[0] * stride, a, b, c, d);
 }
 CNI_INLINE void cni_wide_scatter4_where(float *base, int32_t stride, const int32_t *index, uint32_t lanes, cni_wide a, cni_wide b, cni_wide c, cni_wide d)
 {
@@ -199,11 +191,6 @@ CNI_INLINE void cni_wide_transpose(cni_wide4 *a, cni_wide4 *b, cni_wide4 *c, cni
 	*b = __builtin_shufflevector(ab_low, cd_low, 2, 3, 6, 7);
 	*c = __builtin_shufflevector(ab_high, cd_high, 0, 1, 4, 5);
 	*d = __builtin_shufflevector(ab_high, cd_high, 2, 3, 6, 7);
-}
-
-CNI_INLINE cni_wide4 cni_wide4_at(const float *base, int32_t stride, int32_t index)
-{
-	return *(const cni_wide4 *)(const void *)(base + (size_t)index * (size_t)stride);
 }
 
 #if CNI_WIDTH == 8
@@ -265,7 +252,7 @@ CNI_INLINE void cni_wide_gather4(const float *base, int32_t stride, const int32_
 	cni_wide4 r[CNI_WIDTH];
 	int32_t l;
 	for (l = 0; l < CNI_WIDTH; ++l)
-		r[l] = cni_wide4_at(base, stride, index[l]);
+		r[l] = *(const cni_wide4 *)(const void *)(base + (size_t)index[l] * (size_t)stride);
 	cni_wide_columns(r, a, b, c, d);
 }
 
@@ -301,13 +288,20 @@ CNI_INLINE void cni_wide_rows(cni_wide4 r[CNI_WIDTH], cni_wide a, cni_wide b, cn
 #endif
 }
 
-CNI_INLINE void cni_wide_scatter4(float *base, int32_t stride, const int32_t *index, cni_wide a, cni_wide b, cni_wide c, cni_wide d)
+/* Only for the lanes whose bits are set; the other records are not written. */
+CNI_INLINE void cni_wide_scatter4_where(float *base, int32_t stride, const int32_t *index, uint32_t lanes, cni_wide a, cni_wide b, cni_wide c, cni_wide d)
 {
 	cni_wide4 r[CNI_WIDTH];
 	int32_t l;
 	cni_wide_rows(r, a, b, c, d);
 	for (l = 0; l < CNI_WIDTH; ++l)
-		*(cni_wide4 *)(void *)(base + (size_t)index[l] * (size_t)stride) = r[l];
+		if (lanes >> l & 1u)
+			*(cni_wide4 *)(void *)(base + (size_t)index[l] * (size_t)stride) = r[l];
+}
+
+CNI_INLINE void cni_wide_scatter4(float *base, int32_t stride, const int32_t *index, cni_wide a, cni_wide b, cni_wide c, cni_wide d)
+{
+	cni_wide_scatter4_where(base, stride, index, (1u << CNI_WIDTH) - 1u, a, b, c, d);
 }
 
 /* The same to records at any address: floats offset .. offset + 3 of each. */
@@ -347,17 +341,6 @@ CNI_INLINE void cni_wide_scatter2_to(float *const *records, int32_t offset, cni_
 	cni_wide_pair_to(records[4] + offset, records[5] + offset, cni_wide_high(low));
 	cni_wide_pair_to(records[6] + offset, records[7] + offset, cni_wide_high(high));
 #endif
-}
-
-/* As cni_wide_scatter4, only for the lanes whose bits are set; the other records are not written. */
-CNI_INLINE void cni_wide_scatter4_where(float *base, int32_t stride, const int32_t *index, uint32_t lanes, cni_wide a, cni_wide b, cni_wide c, cni_wide d)
-{
-	cni_wide4 r[CNI_WIDTH];
-	int32_t l;
-	cni_wide_rows(r, a, b, c, d);
-	for (l = 0; l < CNI_WIDTH; ++l)
-		if (lanes >> l & 1u)
-			*(cni_wide4 *)(void *)(base + (size_t)index[l] * (size_t)stride) = r[l];
 }
 
 #endif

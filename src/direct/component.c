@@ -338,14 +338,11 @@ static int32_t set_solve(cn_world *world, const cni_solve *s, cni_sparse *sparse
 /* The impulse of a row is no part of the next substep's warm start any more. */
 static void row_forget(const cn_world *world, cni_row *r, int32_t ia, int32_t ib)
 {
-	const cni_motion *a = cni_motions(world) + ia, *b = cni_motions(world) + ib;
-	cni_velocity_start *of_a = cni_starts(world) + ia, *of_b = cni_starts(world) + ib;
-	of_a->vx += a->inv_mass * r->ax * r->impulse;
-	of_a->vy += a->inv_mass * r->ay * r->impulse;
-	of_a->w += a->inv_inertia * r->aw * r->impulse;
-	of_b->vx += b->inv_mass * r->bx * r->impulse;
-	of_b->vy += b->inv_mass * r->by * r->impulse;
-	of_b->w += b->inv_inertia * r->bw * r->impulse;
+	cni_motion change_a = cni_motions(world)[ia], change_b = cni_motions(world)[ib];
+	change_a.vx = change_a.vy = change_a.w = change_b.vx = change_b.vy = change_b.w = 0.0f;
+	cni_lever_push(&r->lever, r->impulse, &change_a, &change_b);
+	cni_start_add(cni_starts(world) + ia, &change_a, 1.0f);
+	cni_start_add(cni_starts(world) + ib, &change_b, 1.0f);
 	r->impulse = 0.0f;
 }
 

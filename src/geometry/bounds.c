@@ -87,9 +87,8 @@ int32_t cni_geometry_contains(const cni_geometry *g, cni_vec2 local)
 	const cni_vec2 *p = cni_geometry_points(g);
 	switch (g->type) {
 	case CN_SHAPE_CIRCLE:
-		return cni_distance_sq(local, p[0]) <= g->radius * g->radius;
 	case CN_SHAPE_CAPSULE:
-		return point_to_segment_sq(local, p[0], p[1]) <= g->radius * g->radius;
+		return point_to_segment_sq(local, p[0], p[g->count - 1]) <= g->radius * g->radius;
 	case CN_SHAPE_POLYGON:
 		return polygon_contains(g, local);
 	default:

@@ -18,14 +18,6 @@ typedef struct moments {
 	float second;    /* integral of |position|^2 */
 } moments;
 
-/* Adds a piece by its area, its centroid, and its polar moment about the centroid. */
-static void moments_add(moments *sum, float area, cni_vec2 center, float second)
-{
-	sum->area += area;
-	sum->first = cni_madd(sum->first, area, center);
-	sum->second += second + area * cni_length_sq(center);
-}
-
 /* Triangle (origin, a, b), signed. */
 static void triangle_add(moments *sum, cni_vec2 a, cni_vec2 b)
 {
@@ -41,7 +33,9 @@ static void border_add(moments *sum, cni_vec2 a, cni_vec2 b, cni_vec2 normal, fl
 	float length = cni_length(cni_sub(b, a));
 	float area = length * width;
 	cni_vec2 center = cni_madd(cni_lerp(a, b, 0.5f), 0.5f * width, normal);
-	moments_add(sum, area, center, area * (length * length + width * width) / 12.0f);
+	sum->area += area;
+	sum->first = cni_madd(sum->first, area, center);
+	sum->second += area * (length * length + width * width) / 12.0f + area * cni_length_sq(center);
 }
 
 static void sector_add(moments *sum, cni_vec2 v, cni_vec2 n1, cni_vec2 n2, float radius)
@@ -66,11 +60,9 @@ static cni_vec2 points_mean(const cni_geometry *g)
 
 static cn_mass_data moments_mass(const moments *m, cni_vec2 reference, float density)
 {
-	cn_mass_data mass;
 	cni_vec2 center = cni_mul(1.0f / m->area, m->first);
-	mass.mass_kg = density * m->area;
-	mass.inertia_kgm2 = density * cni_max(m->second - m->area * cni_length_sq(center), 0.0f);
-	mass.center_m = cni_add(reference, center);
+	float second = cni_max(m->second - m->area * cni_length_sq(center), 0.0f);
+	cn_mass_data mass = { density * m->area, density * second, cni_add(reference, center) };
 	return mass;
 }
 
@@ -95,11 +87,8 @@ static cn_mass_data polygon_mass(const cni_geometry *g, float density)
 
 static cn_mass_data circle_mass(const cni_geometry *g, float density)
 {
-	cn_mass_data mass;
-	float r2 = g->radius * g->radius;
-	mass.mass_kg = density * CNI_PI * r2;
-	mass.inertia_kgm2 = 0.5f * mass.mass_kg * r2;
-	mass.center_m = cni_geometry_points(g)[0];
+	float r2 = g->radius * g->radius, mass_kg = density * CNI_PI * r2;
+	cn_mass_data mass = { mass_kg, 0.5f * mass_kg * r2, cni_geometry_points(g)[0] };
 	return mass;
 }
 
@@ -107,16 +96,11 @@ static cn_mass_data circle_mass(const cni_geometry *g, float density)
 static cn_mass_data capsule_mass(const cni_geometry *g, float density)
 {
 	const cni_vec2 *p = cni_geometry_points(g);
-	cn_mass_data mass;
-	float r = g->radius;
-	float length = cni_length(cni_sub(p[1], p[0]));
-	float box_kg = density * 2.0f * r * length;
-	float disc_kg = density * CNI_PI * r * r;
-	float arm = 4.0f * r / (3.0f * CNI_PI);
-	mass.mass_kg = box_kg + disc_kg;
-	mass.inertia_kgm2 = box_kg * (length * length + 4.0f * r * r) / 12.0f
+	float r = g->radius, length = cni_length(cni_sub(p[1], p[0])), arm = 4.0f * r / (3.0f * CNI_PI);
+	float box_kg = density * 2.0f * r * length, disc_kg = density * CNI_PI * r * r;
+	float inertia = box_kg * (length * length + 4.0f * r * r) / 12.0f
 		+ disc_kg * (0.5f * r * r + 0.25f * length * length + length * arm);
-	mass.center_m = cni_lerp(p[0], p[1], 0.5f);
+	cn_mass_data mass = { box_kg + disc_kg, inertia, cni_lerp(p[0], p[1], 0.5f) };
 	return mass;
 }
 

@@ -194,16 +194,12 @@ static void corner_push(outline *o, cni_vec2 p, float radius, cni_vec2 up, cni_v
 	const float reach = 1.01300909f; /* sqrt(2 pi / (16 sin(2 pi / 16))): the area of the circle */
 	const cni_rot turn = { 0.923879533f, 0.382683432f };
 	cni_vec2 d = up, before = cni_unrotate(turn, up);
-	int32_t first = 0, k;
-	for (k = 0; k < ARC_SIDES && !all; ++k) {
-		if (cni_cross(n1, d) > 0.0f && cni_cross(n1, before) <= 0.0f) {
-			first = 1;
-			break;
-		}
+	int32_t k;
+	for (k = 0; k < ARC_SIDES && !all && !(cni_cross(n1, d) > 0.0f && cni_cross(n1, before) <= 0.0f); ++k) {
 		before = d;
 		d = cni_rotate(turn, d);
 	}
-	if (!all && !first)
+	if (k == ARC_SIDES)
 		return;
 	for (k = 0; k < ARC_SIDES && (all || (cni_cross(n1, d) > 0.0f && cni_cross(d, n2) > 0.0f)); ++k) {
 		outline_push(o, cni_madd(p, radius * reach, d), OWN);

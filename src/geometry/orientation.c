@@ -15,31 +15,24 @@ typedef struct pair { float high, low; } pair; /* high + low is exact, high is t
 
 static pair two_sum(float a, float b)
 {
-	pair r;
-	r.high = a + b;
-	float b_virtual = r.high - a;
-	float a_virtual = r.high - b_virtual;
-	r.low = (a - a_virtual) + (b - b_virtual);
+	float sum = a + b, b_virtual = sum - a, a_virtual = sum - b_virtual;
+	pair r = { sum, (a - a_virtual) + (b - b_virtual) };
 	return r;
 }
 
 /* Two halves of 12 bits (Dekker 1971). */
 static pair split(float a)
 {
-	pair r;
-	float c = SPLITTER * a;
-	float big = c - a;
-	r.high = c - big;
-	r.low = a - r.high;
+	float c = SPLITTER * a, big = c - a, high = c - big;
+	pair r = { high, a - high };
 	return r;
 }
 
 static pair two_product(float a, float b)
 {
-	pair r, x = split(a), y = split(b);
-	r.high = a * b;
-	float e = ((r.high - x.high * y.high) - x.low * y.high) - x.high * y.low;
-	r.low = x.low * y.low - e;
+	pair x = split(a), y = split(b);
+	float product = a * b, e = ((product - x.high * y.high) - x.low * y.high) - x.high * y.low;
+	pair r = { product, x.low * y.low - e };
 	return r;
 }
 

@@ -8,14 +8,9 @@
 /* Coordinates are stored with a relative error of 2^-24; heights a few times that are noise. */
 #define HEIGHT_RELATIVE_MIN 5.0e-7f
 
-static int32_t coordinate_is_valid(float x)
-{
-	return x >= -CNI_COORDINATE_MAX && x <= CNI_COORDINATE_MAX;
-}
-
 static int32_t point_is_valid(cni_vec2 p)
 {
-	return coordinate_is_valid(p.x) && coordinate_is_valid(p.y);
+	return cni_abs(p.x) <= CNI_COORDINATE_MAX && cni_abs(p.y) <= CNI_COORDINATE_MAX;
 }
 
 const char cni_points_near[] = "points must be farther apart";

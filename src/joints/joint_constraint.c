@@ -327,7 +327,6 @@ static void rows_renew(cn_world *world, cni_joint_constraint *w)
 {
 	cni_motion *a = cni_motions(world) + w->ia, *b = cni_motions(world) + w->ib;
 	cni_motion change_a = *a, change_b = *b;
-	cni_velocity_start *sa = cni_starts(world) + w->ia, *sb = cni_starts(world) + w->ib;
 	cni_row old[CNI_JOINT_ROWS];
 	int32_t k;
 	for (k = 0; k < w->row_count; ++k)
@@ -343,12 +342,8 @@ static void rows_renew(cn_world *world, cni_joint_constraint *w)
 		w->rows[k].impulse = impulse;
 		cni_lever_push(&w->rows[k].lever, impulse, &change_a, &change_b);
 	}
-	sa->vx -= change_a.vx;
-	sa->vy -= change_a.vy;
-	sa->w -= change_a.w;
-	sb->vx -= change_b.vx;
-	sb->vy -= change_b.vy;
-	sb->w -= change_b.w;
+	cni_start_add(cni_starts(world) + w->ia, &change_a, -1.0f);
+	cni_start_add(cni_starts(world) + w->ib, &change_b, -1.0f);
 }
 
 void cni_joint_rows_renew(cn_world *world, cni_joint_constraint *w)

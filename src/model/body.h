@@ -105,6 +105,13 @@ typedef struct cni_velocity_start {
 	float jumped; /* 1 or more: an impact changed the velocity in this substep, in later sweeps more */
 } cni_velocity_start;
 
+static inline void cni_start_add(cni_velocity_start *start, const cni_motion *change, float part)
+{
+	start->vx += part * change->vx;
+	start->vy += part * change->vy;
+	start->w += part * change->w;
+}
+
 enum {
 	CNI_EXTERNAL_FREE = 1u << 0,    /* no contacts, no joints: integrated once, exactly, for the whole step */
 	CNI_EXTERNAL_DAMPED = 1u << 1,  /* has damping: factors are in the record */

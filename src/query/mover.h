@@ -1,6 +1,6 @@
 /*
- * query/mover.h - shared by the files of the character mover: planes (mover_plane.c), sliding (mover_slide.c), ground
- * (mover_ground.c) and the move (mover.c).
+ * query/mover.h - shared by the files of the character mover: planes and sliding (mover_plane.c), ground (mover_ground.c) and the
+ * move (mover.c).
  */
 #ifndef CNI_WORLD_MOVER_H
 #define CNI_WORLD_MOVER_H
@@ -15,10 +15,6 @@ typedef struct cni_planes {
 	int32_t count;
 } cni_planes;
 
-/* Finds the planes of a shape: region is its place, solid the same points relative to the region's origin. */
-void cni_planes_find(const cni_sight *sight, const cni_region *region, const cni_solid *solid, float margin, cn_plane *out, int32_t capacity, int32_t *out_count);
-/* As cn_mover_solve. */
-cni_vec2 cni_planes_solve(cn_plane *planes, int32_t count, cni_vec2 wanted, float *out_overlap);
 /* Velocity nearest to v that leads into none of the surfaces, which move at speeds[i] along their normals. */
 cni_vec2 cni_planes_clip(const cn_plane *planes, const float *speeds, int32_t count, cni_vec2 v);
 /* Velocity of the body's material at a world point. */
@@ -42,7 +38,7 @@ typedef struct cni_move {
 	cni_planes planes;       /* that it touches, when it last slid */
 } cni_move;
 
-/* mover_slide.c. Sets the mover's position. */
+/* Sets the mover's position. */
 void cni_move_place(cni_move *m, cni_vec2 position);
 /* Moves the mover by a translation, or as far as it can slide along the surfaces in the way. */
 void cni_move_slide(cni_move *m, cni_vec2 translation);

@@ -112,23 +112,18 @@ static cni_vec2 foot(const cni_move *m)
 
 int32_t cni_ground_snap(cni_move *m)
 {
-	cni_vec2 down = cni_mul(-m->def->snap_m, m->up), from, normal;
-	cn_ray_hit hit = cni_region_cast(&m->sight, &m->full, down), below;
+	cni_vec2 down = cni_mul(-m->def->snap_m, m->up);
+	cn_ray_hit hit = cni_region_cast(&m->sight, &m->full, down), ground = hit;
 	if (hit.shape == 0)
 		return 0;
-	if (is_walkable(m, &hit)) {
-		cni_move_place(m, cni_madd(m->mover->position_m, hit.fraction, down));
-		surface_normal(m, hit.point_m, hit.normal, &normal);
-		ground_set(m, hit.body, hit.shape, hit.point_m, normal);
-		return 1;
-	}
-	/* Over the corner of a step the ground under the foot decides. */
-	from = cni_madd(foot(m), m->skin, m->up);
-	below = cni_ray_cast(&m->sight, from, cni_madd(down, -m->skin, m->up));
-	if (!is_walkable(m, &below))
+	if (is_walkable(m, &hit))
+		surface_normal(m, hit.point_m, hit.normal, &ground.normal);
+	else /* over the corner of a step the ground under the foot decides */
+		ground = cni_ray_cast(&m->sight, cni_madd(foot(m), m->skin, m->up), cni_madd(down, -m->skin, m->up));
+	if (!is_walkable(m, &hit) && !is_walkable(m, &ground))
 		return 0;
 	cni_move_place(m, cni_madd(m->mover->position_m, hit.fraction, down));
-	ground_set(m, below.body, below.shape, below.point_m, below.normal);
+	ground_set(m, ground.body, ground.shape, ground.point_m, ground.normal);
 	return 1;
 }
 

@@ -1,5 +1,5 @@
 /*
- * query/mover_plane.c - public functions on the planes that bound a mover: finding them, and the nearest position that they permit.
+ * query/mover_plane.c - the planes that bound a mover: finding them, the nearest position that they permit, and sliding along them.
  *
  * The pair functions of collision/ give the planes, so inner vertices of chains and hidden corners of tiles act as in a step.
  *
@@ -26,6 +26,8 @@
 #define CHANGES_MAX 32
 /* Rounds of pulling where there is no room. */
 #define SHARES_MAX 64
+/* A round of sliding that moves by less, in slops, is the last one. */
+#define MOVED_PER_SLOP 0.002f
 
 /* ------------------------------------------------------------------ finding */
 
@@ -158,7 +160,8 @@ static int32_t drop_hidden(const cni_sight *sight, const cni_region *region, cn_
 	return kept;
 }
 
-void cni_planes_find(const cni_sight *sight, const cni_region *region, const cni_solid *solid, float margin, cn_plane *out, int32_t capacity,
+/* Finds the planes of a shape: region is its place, solid the same points relative to the region's origin. */
+static void planes_find(const cni_sight *sight, const cni_region *region, const cni_solid *solid, float margin, cn_plane *out, int32_t capacity,
 	int32_t *out_count)
 {
 	plane_query q = { sight, region, solid, margin, { NULL, 0, 0, 0, 0, NULL } };
@@ -311,7 +314,8 @@ static int32_t release(cn_plane *planes, int32_t count, cni_vec2 x, float tolera
 	return most != NULL;
 }
 
-cni_vec2 cni_planes_solve(cn_plane *planes, int32_t count, cni_vec2 wanted, float *out_overlap)
+/* As cn_mover_solve. */
+static cni_vec2 planes_solve(cn_plane *planes, int32_t count, cni_vec2 wanted, float *out_overlap)
 {
 	float size = cni_length(wanted);
 	cni_vec2 x;
@@ -350,12 +354,66 @@ cni_vec2 cni_planes_clip(const cn_plane *planes, const float *speeds, int32_t co
 		rigid[i].separation_m = -speeds[i];
 		rigid[i].push_max_m = FLT_MAX;
 	}
-	return cni_planes_solve(rigid, count, v, &overlap);
+	return planes_solve(rigid, count, v, &overlap);
 }
 
 cni_vec2 cni_mover_velocity_at(const cn_world *world, cn_body body, cni_vec2 point)
 {
 	return cni_body_velocity_at(world, cni_body_at(world, cni_body_index(world, body)), point);
+}
+
+/* ------------------------------------------------------------------ sliding */
+
+void cni_move_place(cni_move *m, cni_vec2 position)
+{
+	m->mover->position_m = position;
+	m->full.origin = m->core.origin = cni_add(position, m->offset);
+}
+
+/* Finds the planes that it touches. */
+static void touch(cni_move *m)
+{
+	int32_t found;
+	planes_find(&m->sight, &m->full, &m->solid, m->margin, m->planes.at, CNI_MOVER_PLANES_MAX, &found);
+	m->planes.count = cni_min_i(found, CNI_MOVER_PLANES_MAX);
+}
+
+cni_vec2 cni_move_block_steep(const cni_move *m, cni_vec2 v)
+{
+	int32_t k;
+	for (k = 0; k < m->planes.count; ++k) {
+		cni_vec2 normal = m->planes.at[k].normal;
+		float height = cni_dot(normal, m->up), into;
+		cni_vec2 level = cni_normalize(cni_madd(normal, -height, m->up));
+		if (!(height > 0.0f && height < m->walkable))
+			continue;
+		into = cni_dot(level, v);
+		if (into < 0.0f)
+			v = cni_madd(v, -into, level);
+	}
+	return v;
+}
+
+void cni_move_slide(cni_move *m, cni_vec2 translation)
+{
+	cni_vec2 target = cni_add(m->mover->position_m, translation);
+	float least = MOVED_PER_SLOP * m->world->settings.slop;
+	int32_t k;
+	for (k = 0; k <= m->def->iterations_max; ++k) {
+		cn_ray_hit hit;
+		cni_vec2 wanted = cni_sub(target, m->mover->position_m);
+		if (k == m->def->iterations_max) /* only out of the surfaces that the last round hit */
+			wanted = cni_v(0.0f, 0.0f);
+		touch(m);
+		wanted = planes_solve(m->planes.at, m->planes.count, cni_move_block_steep(m, wanted), &m->mover->squeezed_m);
+		if (cni_length(wanted) <= least) {
+			cni_move_place(m, cni_add(m->mover->position_m, wanted));
+			return;
+		}
+		hit = cni_region_cast(&m->sight, &m->core, wanted);
+		cni_move_place(m, cni_madd(m->mover->position_m, hit.fraction, wanted));
+	}
+	touch(m);
 }
 
 /* ------------------------------------------------------------------ public functions */
@@ -379,7 +437,7 @@ cn_result cn_mover_collide(const cn_world *world, const cn_polygon *shape, float
 	cni_solid_make(&from_origin, &solid);
 	region.origin = cni_add(region.origin, position);
 	sight.without = CN_SHAPE_SENSOR;
-	cni_planes_find(&sight, &region, &solid, margin_m, out, capacity, out_count);
+	planes_find(&sight, &region, &solid, margin_m, out, capacity, out_count);
 	return CN_OK;
 }
 
@@ -405,7 +463,7 @@ cn_result cn_mover_solve(cn_plane *planes, int32_t count, float translation_x_m,
 	cni_check_pointer(&call, "out_translation_m", out_translation_m);
 	cni_check_pointer(&call, "out_overlap_m", out_overlap_m);
 	if (call.result == CN_OK)
-		*out_translation_m = cni_planes_solve(planes, count, cni_v(translation_x_m, translation_y_m), out_overlap_m);
+		*out_translation_m = planes_solve(planes, count, cni_v(translation_x_m, translation_y_m), out_overlap_m);
 	return call.result;
 }
 

@@ -48,17 +48,12 @@ static int32_t is_joined(const cn_world *world, int32_t body, int32_t to)
 static int32_t sight_sees(const cni_sight *sight, const cni_shape *shape)
 {
 	const cn_query_filter *filter = &sight->filter;
-	if ((shape->flags & (CN_SHAPE_SENSOR | CN_SHAPE_SENSOR_SEEN)) == CN_SHAPE_SENSOR)
-		return 0;
-	if (shape->flags & sight->without)
+	if ((shape->flags & (CN_SHAPE_SENSOR | CN_SHAPE_SENSOR_SEEN)) == CN_SHAPE_SENSOR || (shape->flags & sight->without))
 		return 0;
 	if ((shape->category & filter->mask) == 0 || (shape->mask & filter->category) == 0)
 		return 0;
-	if (sight->ignored == CNI_NONE)
-		return 1;
-	if (shape->body == sight->ignored)
-		return 0;
-	return !(filter->flags & CN_QUERY_IGNORE_JOINED) || !is_joined(sight->world, shape->body, sight->ignored);
+	return sight->ignored == CNI_NONE ||
+	       (shape->body != sight->ignored && !((filter->flags & CN_QUERY_IGNORE_JOINED) && is_joined(sight->world, shape->body, sight->ignored)));
 }
 
 int32_t cni_query_target_of(const cni_sight *sight, int32_t proxy, cni_query_target *out)

@@ -15,7 +15,7 @@ typedef int32_t overlap_test_fn(const overlap_query *q, const cni_query_target *
 struct overlap_query {
 	const cni_sight *sight;
 	overlap_test_fn *test;
-	const cni_region *region;   /* circle and polygon */
+	const cni_region *region;   /* of test_region */
 	cni_aabb box;
 	cni_vec2 point;
 	cni_first found;
@@ -74,9 +74,7 @@ static int32_t chain_begins_with(const overlap_query *q, cni_query_target t)
 /* Whether a shape overlaps and is not in the list. */
 static int32_t overlap_finds(overlap_query *q, const cni_query_target *t)
 {
-	if (t->shape->type == CN_SHAPE_CHAIN && chain_is_known(q, t->index))
-		return 0;
-	if (!q->test(q, t))
+	if ((t->shape->type == CN_SHAPE_CHAIN && chain_is_known(q, t->index)) || !q->test(q, t))
 		return 0;
 	if (t->shape->type != CN_SHAPE_CHAIN)
 		return 1;
@@ -144,7 +142,6 @@ cn_result cn_world_overlap_aabb(const cn_world *world, const cn_aabb *box, const
 	if (call.result != CN_OK)
 		return call.result;
 	q.test = test_box;
-	q.region = NULL;
 	q.box = cni_aabb_of(box->lower_m, box->upper_m);
 	return overlap_run(&q, &sight, out, capacity, out_count);
 }
@@ -194,7 +191,6 @@ cn_result cn_world_overlap_point(const cn_world *world, float x_m, float y_m, co
 	if (call.result != CN_OK)
 		return call.result;
 	q.test = test_point;
-	q.region = NULL;
 	q.point = cni_v(x_m, y_m);
 	q.box = cni_aabb_of(q.point, q.point);
 	return overlap_run(&q, &sight, out, capacity, out_count);

@@ -17,20 +17,6 @@
 
 /* ------------------------------------------------------------------ arguments */
 
-static void check_points(cni_call *call, const cn_polygon *p)
-{
-	int32_t i;
-	const char *wrong;
-	cni_check_range_int(call, "count", p->count, 1, CN_POLYGON_MAX_VERTICES);
-	cni_check_range(call, "radius_m", p->radius_m, 0.0f, CNI_COORDINATE_MAX);
-	for (i = 0; i < p->count && call->result == CN_OK; ++i)
-		cni_check_within(call, "points_m", p->points_m[i], CNI_COORDINATE_MAX);
-	if (call->result != CN_OK)
-		return;
-	wrong = cni_check_convex(p, CNI_THICKNESS_LEAST);
-	cni_check(call, wrong == NULL, CN_ERROR_ARGUMENT, wrong);
-}
-
 void cni_solid_make(const cn_polygon *p, cni_solid *out)
 {
 	const cni_transform none = cni_identity();
@@ -49,10 +35,20 @@ void cni_solid_make(const cn_polygon *p, cni_solid *out)
 
 static void check_solid(cni_call *call, const char *field, const cn_polygon *p, cni_solid *out)
 {
+	int32_t i;
+	const char *wrong;
 	cni_check_pointer(call, field, p);
-	if (call->result == CN_OK)
-		check_points(call, p);
-	if (call->result == CN_OK)
+	if (call->result != CN_OK)
+		return;
+	cni_check_range_int(call, "count", p->count, 1, CN_POLYGON_MAX_VERTICES);
+	cni_check_range(call, "radius_m", p->radius_m, 0.0f, CNI_COORDINATE_MAX);
+	for (i = 0; i < p->count && call->result == CN_OK; ++i)
+		cni_check_within(call, "points_m", p->points_m[i], CNI_COORDINATE_MAX);
+	if (call->result != CN_OK)
+		return;
+	wrong = cni_check_convex(p, CNI_THICKNESS_LEAST);
+	cni_check(call, wrong == NULL, CN_ERROR_ARGUMENT, wrong);
+	if (wrong == NULL)
 		cni_solid_make(p, out);
 }
 

@@ -17,7 +17,7 @@
 /* Kinds of fields. From CNI_FIELD_BODY on: an int32 index that is CNI_NONE or below a limit. */
 enum {
 	CNI_FIELD_DERIVED, /* bytes that are not in the file */
-	CNI_FIELD_SAVED,   /* ... of cn_world, but copied into a save: save/save_state.c */
+	CNI_FIELD_SAVED,   /* ... of cn_world, but copied into a save: save/save.c */
 	CNI_FIELD_BYTE,
 	CNI_FIELD_HALF,    /* 16 bits */
 	CNI_FIELD_WORD,    /* 32 bits of any meaning */
@@ -141,5 +141,11 @@ void cni_file_broadphase(cn_world *world, cni_file *f);
 int32_t cni_file_handles_hold(const cni_handles *handles);
 /* All else: indices are in range already. 1: good. */
 int32_t cni_file_world_holds(const cn_world *world);
+
+/* ---- save.c: saves in the caller's memory, which have the same fields */
+
+/* Does the header say that these bytes are a save of this build? */
+int32_t cni_save_is_one(const void *save, uint64_t bytes);
+uint64_t cni_save_checksum(const void *bytes, uint64_t count);
 
 #endif

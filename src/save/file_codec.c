@@ -69,12 +69,9 @@ cni_file cni_file_read(const uint8_t *chunks, uint64_t bytes)
 	uint64_t at = 0;
 	f.in = chunks;
 	f.bytes = bytes;
-	while (at < bytes) {
+	while (at < bytes && f.result == CN_OK) {
 		uint64_t records = bytes - at < HEAD_BYTES ? UINT64_MAX : records_bytes(chunks + at, bytes - at - HEAD_BYTES);
-		if (records == UINT64_MAX) {
-			cni_file_fail(&f, CN_ERROR_FORMAT);
-			break;
-		}
+		cni_file_need(&f, records != UINT64_MAX, CN_ERROR_FORMAT);
 		at += HEAD_BYTES + records;
 	}
 	return f;

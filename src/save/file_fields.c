@@ -35,7 +35,7 @@ static const cni_field world_fields[] = {
 	V(settings), V(movable_count), V(awake_count), V(proxy_used), V(proxy_free), V(proxy_count), V(proxy_free_count), V(contact_used), V(contact_free),
 	V(contact_count), V(contacts_reporting), V(touching_count), V(block_used), V(block_free), V(colors), V(constraint_count), V(island_used),
 	V(island_free), V(island_count),
-	/* other chunks, and passed by cni_world_snapshot; memory, scratch, caches, and what stays the world's own */
+	/* other chunks, and passed by state_pass of save/save.c; memory, scratch, caches, and what stays the world's own */
 	D(memory), D(arena), D(blocks), D(team), D(locked), D(body_handles), D(bodies), D(motion), D(start), D(external), D(awake_id), D(awake_islands),
 	D(step_islands), D(step_island_count), D(kicked), D(previous), D(reserved_time), D(shape_handles), D(shapes), D(proxies), D(broadphase_ops),
 	D(broadphase), D(pairs), D(vertex_capacity), D(contacts), D(apart), D(blocks_hot), D(blocks_info), D(blocks_anchor), D(blocks_extra), D(block_list),

@@ -122,7 +122,7 @@ static void material_ids_read(cn_world *world, cni_file *f)
 	for (k = 0; k < count && f->result == CN_OK; ++k) {
 		uint32_t shape = cni_file_word(f, 0), id = cni_file_word(f, 0);
 		cni_shape *s;
-		if (f->result != CN_OK || shape >= (uint32_t)world->shape_handles.slots.count || !cni_handles_alive(&world->shape_handles, (int32_t)shape)) {
+		if (f->result != CN_OK || !cni_handles_alive(&world->shape_handles, (int32_t)shape)) {
 			cni_file_fail(f, CN_ERROR_FORMAT);
 			return;
 		}
@@ -168,8 +168,7 @@ static void name_read(cn_world *world, cni_file *f)
 	cn_result named = CN_OK;
 	memset(name, 0, sizeof name);
 	cni_file_raw(f, &length, 1);
-	if (f->result != CN_OK || body >= (uint32_t)world->body_handles.slots.count || length == 0 || length > CN_NAME_MAX_BYTES || name_of(world, (int32_t)body) != NULL ||
-	    !cni_handles_alive(&world->body_handles, (int32_t)body)) {
+	if (f->result != CN_OK || !cni_handles_alive(&world->body_handles, (int32_t)body) || name_of(world, (int32_t)body) != NULL || length == 0 || length > CN_NAME_MAX_BYTES) {
 		cni_file_fail(f, CN_ERROR_FORMAT);
 		return;
 	}

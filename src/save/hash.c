@@ -6,8 +6,6 @@
  */
 #include "model/world.h"
 
-#include <string.h>
-
 static uint64_t hash_word(uint64_t hash, uint32_t word)
 {
 	int32_t k;
@@ -16,12 +14,7 @@ static uint64_t hash_word(uint64_t hash, uint32_t word)
 	return hash;
 }
 
-static uint64_t hash_float(uint64_t hash, float x)
-{
-	uint32_t word;
-	memcpy(&word, &x, sizeof word);
-	return hash_word(hash, word);
-}
+static uint64_t hash_float(uint64_t hash, float x) { return hash_word(hash, cni_bits_of(x)); }
 
 static uint64_t hash_body(uint64_t hash, const cn_world *world, const cni_body *b)
 {

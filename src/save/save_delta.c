@@ -7,7 +7,7 @@
  *
  * Equal words between two changes are copied with them where that is shorter than a new run.
  */
-#include "save/save.h"
+#include "save/file.h"
 
 #include <string.h>
 

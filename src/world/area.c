@@ -32,16 +32,6 @@ static void check_def(cni_call *call, const cn_area_def *def)
 	cni_check_finite2(call, "flow_mps", def->flow_mps);
 }
 
-static cni_area area_of_def(const cn_area_def *def, int32_t shape)
-{
-	cni_area a;
-	a.shape = shape;
-	a.def = *def;
-	a.def.struct_size = 0;
-	a.def.pull_distance_m = cni_zero_of_default(def->pull_distance_m);
-	return a;
-}
-
 cn_result cn_shape_set_area(cn_world *world, cn_shape shape, const cn_area_def *def)
 {
 	cni_call call = cni_enter(world, __func__);
@@ -58,7 +48,10 @@ cn_result cn_shape_set_area(cn_world *world, cn_shape shape, const cn_area_def *
 	if (call.result != CN_OK)
 		return call.result;
 	if (def != NULL) {
-		area = area_of_def(def, index);
+		area.shape = index;
+		area.def = *def;
+		area.def.struct_size = 0;
+		area.def.pull_distance_m = cni_zero_of_default(def->pull_distance_m);
 		if (!cni_area_set(world, &area))
 			return cni_refuse(&call, CN_ERROR_MEMORY, "no memory for the area");
 	} else {

@@ -5,7 +5,6 @@
  * failed call changes nothing. Destruction first reserves memory for the events of the contacts it ends.
  */
 #include "world/define.h"
-#include "world/joint_change.h"
 
 #include <string.h>
 
@@ -274,9 +273,4 @@ cn_result cn_body_get_shapes(const cn_world *world, cn_body body, cn_shape *out,
 		cni_list_add(&list, cni_handles_of(&world->shape_handles, shape));
 	*out_count = list.count;
 	return CN_OK;
-}
-
-cn_result cn_body_get_joints(const cn_world *world, cn_body body, cn_joint *out, int32_t capacity, int32_t *out_count)
-{
-	return cni_list_joints_of(world, body, 0, out, capacity, out_count);
 }

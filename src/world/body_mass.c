@@ -77,12 +77,4 @@ cn_result cn_body_set_gravity_scale(cn_world *world, cn_body body, float scale)
 
 CNI_DEFINE_GET(body, gravity_scale, float, record->gravity_scale)
 
-cn_result cn_body_set_sleep_speed(cn_world *world, cn_body body, float speed_mps)
-{
-	cni_call call = cni_enter(world, __func__);
-	cni_body *b = cni_check_body(&call, "body", body);
-	cni_check_at_least_or_default(&call, "speed_mps", speed_mps);
-	if (call.result == CN_OK)
-		b->sleep_speed = speed_mps;
-	return call.result;
-}
+CNI_DEFINE_SET(body, sleep_speed, float, speed_mps, cni_check_at_least_or_default(&call, "speed_mps", speed_mps), record->sleep_speed = speed_mps)

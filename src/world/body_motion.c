@@ -141,26 +141,20 @@ typedef struct push {
 	float angular;
 } push;
 
-static push push_at_center(cni_call *call, cn_body body, const char *field, float x, float y)
+static push push_at_center(cni_call *call, cn_body body, const char *field, float x, float y, float angular)
 {
-	push p = { cni_check_body(call, "body", body), { x, y }, 0.0f };
+	push p = { cni_check_body(call, "body", body), { x, y }, angular };
 	cni_check_finite2(call, field, p.linear);
+	cni_check_finite(call, field, angular);
 	return p;
 }
 
 static push push_at(cni_call *call, cn_body body, const char *field, float x, float y, float point_x_m, float point_y_m)
 {
-	push p = push_at_center(call, body, field, x, y);
+	push p = push_at_center(call, body, field, x, y, 0.0f);
 	cni_vec2 point_m = { point_x_m, point_y_m };
 	cni_check_finite2(call, "point_m", point_m);
 	p.angular = p.body != NULL ? cni_cross(cni_body_arm(p.body, point_m), p.linear) : 0.0f;
-	return p;
-}
-
-static push push_turn(cni_call *call, cn_body body, const char *field, float angular)
-{
-	push p = { cni_check_body(call, "body", body), { 0.0f, 0.0f }, angular };
-	cni_check_finite(call, field, angular);
 	return p;
 }
 
@@ -185,24 +179,6 @@ static cn_result add_force(cni_call *call, cn_world *world, cn_body body, push p
 	return CN_OK;
 }
 
-cn_result cn_body_apply_force(cn_world *world, cn_body body, float force_x_N, float force_y_N)
-{
-	cni_call call = cni_enter(world, __func__);
-	return add_force(&call, world, body, push_at_center(&call, body, "force_N", force_x_N, force_y_N));
-}
-
-cn_result cn_body_apply_force_at(cn_world *world, cn_body body, float force_x_N, float force_y_N, float point_x_m, float point_y_m)
-{
-	cni_call call = cni_enter(world, __func__);
-	return add_force(&call, world, body, push_at(&call, body, "force_N", force_x_N, force_y_N, point_x_m, point_y_m));
-}
-
-cn_result cn_body_apply_torque(cn_world *world, cn_body body, float torque_Nm)
-{
-	cni_call call = cni_enter(world, __func__);
-	return add_force(&call, world, body, push_turn(&call, body, "torque_Nm", torque_Nm));
-}
-
 /* Changes the velocity at once by impulse / mass and angular impulse / inertia, except along locked axes. */
 static cn_result add_impulse(cni_call *call, cn_world *world, cn_body body, push p)
 {
@@ -222,20 +198,23 @@ static cn_result add_impulse(cni_call *call, cn_world *world, cn_body body, push
 	return CN_OK;
 }
 
-cn_result cn_body_apply_impulse(cn_world *world, cn_body body, float impulse_x_Ns, float impulse_y_Ns)
-{
-	cni_call call = cni_enter(world, __func__);
-	return add_impulse(&call, world, body, push_at_center(&call, body, "impulse_Ns", impulse_x_Ns, impulse_y_Ns));
-}
+/* Defines the three functions that apply a force or an impulse: in the centre of mass, at a point, and its torque alone. */
+#define DEFINE_APPLY(linear, field, angular, angular_field, add) \
+	cn_result cn_body_apply_##linear(cn_world *world, cn_body body, float x, float y) \
+	{ \
+		cni_call call = cni_enter(world, __func__); \
+		return add(&call, world, body, push_at_center(&call, body, field, x, y, 0.0f)); \
+	} \
+	cn_result cn_body_apply_##linear##_at(cn_world *world, cn_body body, float x, float y, float point_x_m, float point_y_m) \
+	{ \
+		cni_call call = cni_enter(world, __func__); \
+		return add(&call, world, body, push_at(&call, body, field, x, y, point_x_m, point_y_m)); \
+	} \
+	cn_result cn_body_apply_##angular(cn_world *world, cn_body body, float turn) \
+	{ \
+		cni_call call = cni_enter(world, __func__); \
+		return add(&call, world, body, push_at_center(&call, body, angular_field, 0.0f, 0.0f, turn)); \
+	}
 
-cn_result cn_body_apply_impulse_at(cn_world *world, cn_body body, float impulse_x_Ns, float impulse_y_Ns, float point_x_m, float point_y_m)
-{
-	cni_call call = cni_enter(world, __func__);
-	return add_impulse(&call, world, body, push_at(&call, body, "impulse_Ns", impulse_x_Ns, impulse_y_Ns, point_x_m, point_y_m));
-}
-
-cn_result cn_body_apply_angular_impulse(cn_world *world, cn_body body, float impulse_Nms)
-{
-	cni_call call = cni_enter(world, __func__);
-	return add_impulse(&call, world, body, push_turn(&call, body, "impulse_Nms", impulse_Nms));
-}
+DEFINE_APPLY(force, "force_N", torque, "torque_Nm", add_force)
+DEFINE_APPLY(impulse, "impulse_Ns", angular_impulse, "impulse_Nms", add_impulse)

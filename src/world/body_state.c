@@ -206,14 +206,5 @@ cn_result cn_body_set_awake(cn_world *world, cn_body body, int32_t awake)
 
 /* ------------------------------------------------------------------ solver */
 
-cn_result cn_body_set_solver(cn_world *world, cn_body body, int32_t solver)
-{
-	cni_call call = cni_enter(world, __func__);
-	cni_body *b = cni_check_body(&call, "body", body);
-	cni_check_solver(&call, solver, CN_SOLVER_DIRECT);
-	if (call.result == CN_OK)
-		cni_body_set_solver(world, b, solver);
-	return call.result;
-}
-
+CNI_DEFINE_SET(body, solver, int32_t, solver, cni_check_solver(&call, solver, CN_SOLVER_DIRECT), cni_body_set_solver(world, record, solver))
 CNI_DEFINE_GET(body, solver, int32_t, cni_body_solver(record))

@@ -35,25 +35,6 @@ void cn_world_def_init(cn_world_def *def)
 
 /* ---- checking ---- */
 
-static void def_check_numbers(cni_call *call, const cn_world_def *d)
-{
-	cni_check_finite2(call, "gravity_mps2", d->gravity_mps2);
-	cni_check_range(call, "length_unit_m", d->length_unit_m, 1e-6f, 1e6f);
-	cni_check_solver(call, d->solver, CN_SOLVER_SEQUENTIAL);
-	cni_check_range_int(call, "broadphase", d->broadphase, CN_BROADPHASE_SWEEP, CN_BROADPHASE_TREE);
-	cni_check_range_int(call, "substep_count", d->substep_count, 1, 64);
-	cni_check_at_least_or_default(call, "accuracy_m", d->accuracy_m);
-	cni_check_work_budget(call, d->work_budget);
-	cni_check_at_least_or_default(call, "restitution_threshold_mps", d->restitution_threshold_mps);
-	cni_check_positive_or_default(call, "push_speed_max_mps", d->push_speed_max_mps);
-	cni_check_positive_or_default(call, "linear_speed_max_mps", d->linear_speed_max_mps);
-	cni_check_positive(call, "angular_speed_max_radps", d->angular_speed_max_radps);
-	cni_check_at_least_or_default(call, "sleep_speed_mps", d->sleep_speed_mps);
-	cni_check_at_least(call, "sleep_delay_s", d->sleep_delay_s, 0.0f);
-	cni_check_at_least_or_default(call, "hit_speed_mps", d->hit_speed_mps);
-	cni_check_range_int(call, "worker_count", d->worker_count, 1, CN_WORKERS_MAX);
-}
-
 static void def_check_memory(cni_call *call, const cn_world_def *d)
 {
 	const int32_t most = CN_MAX_HANDLES;
@@ -75,7 +56,21 @@ static void def_check(cni_call *call, const cn_world_def *d)
 	if (!cni_check_def(call, d, sizeof *d, "cn_world_def_init"))
 		return;
 	cni_check_flags(call, "flags", d->flags, CNI_WORLD_FLAGS);
-	def_check_numbers(call, d);
+	cni_check_finite2(call, "gravity_mps2", d->gravity_mps2);
+	cni_check_range(call, "length_unit_m", d->length_unit_m, 1e-6f, 1e6f);
+	cni_check_solver(call, d->solver, CN_SOLVER_SEQUENTIAL);
+	cni_check_range_int(call, "broadphase", d->broadphase, CN_BROADPHASE_SWEEP, CN_BROADPHASE_TREE);
+	cni_check_range_int(call, "substep_count", d->substep_count, 1, 64);
+	cni_check_at_least_or_default(call, "accuracy_m", d->accuracy_m);
+	cni_check_work_budget(call, d->work_budget);
+	cni_check_at_least_or_default(call, "restitution_threshold_mps", d->restitution_threshold_mps);
+	cni_check_positive_or_default(call, "push_speed_max_mps", d->push_speed_max_mps);
+	cni_check_positive_or_default(call, "linear_speed_max_mps", d->linear_speed_max_mps);
+	cni_check_positive(call, "angular_speed_max_radps", d->angular_speed_max_radps);
+	cni_check_at_least_or_default(call, "sleep_speed_mps", d->sleep_speed_mps);
+	cni_check_at_least(call, "sleep_delay_s", d->sleep_delay_s, 0.0f);
+	cni_check_at_least_or_default(call, "hit_speed_mps", d->hit_speed_mps);
+	cni_check_range_int(call, "worker_count", d->worker_count, 1, CN_WORKERS_MAX);
 	def_check_memory(call, d);
 }
 
@@ -404,13 +399,6 @@ static uint64_t pieces_bytes(const cn_world_def *d)
 	return reserves(d, CN_RESERVE_CHAINS) ? bytes + bytes / 512u + 18u * (uint64_t)d->shape_capacity + 8192u : bytes;
 }
 
-static uint64_t table_bytes(const table_of_world *of, int32_t count)
-{
-	cni_table table;
-	cni_table_init(&table, of->item_bytes, of->page_shift);
-	return cni_table_bytes_for(&table, count);
-}
-
 static uint64_t handles_bytes(int32_t n)
 {
 	return array_bytes(n, sizeof(uint32_t)) + 2u * array_bytes(n, sizeof(cni_alias));
@@ -424,7 +412,9 @@ static uint64_t rooms_bytes(const cn_world_def *d)
 	rooms_make(d, 1, rooms);
 	for (k = 0; k < COUNT_OF(world_tables); ++k) {
 		int32_t extra = world_tables[k].offset == offsetof(cn_world, blocks_extra) && reserves(d, CN_RESERVE_EXTRA_ROWS);
-		bytes += table_bytes(&world_tables[k], rooms[extra ? ROOM_BLOCKS : world_tables[k].room]);
+		cni_table table;
+		cni_table_init(&table, world_tables[k].item_bytes, world_tables[k].page_shift);
+		bytes += cni_table_bytes_for(&table, rooms[extra ? ROOM_BLOCKS : world_tables[k].room]);
 	}
 	for (k = 0; k < COUNT_OF(world_arrays); ++k)
 		bytes += array_bytes(rooms[world_arrays[k].room], world_arrays[k].item_bytes);

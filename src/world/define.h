@@ -1,5 +1,5 @@
 /*
- * world/define.h - macros that define a public function in one line: reading a value of a live record, user data, arrays of events.
+ * world/define.h - macros that define a public function in one line: reading and setting a value of a live record, arrays of events.
  * These functions check only the world, the handle and the output pointers (world/error.h).
  *
  *     CNI_DEFINE_GET(body, gravity_scale, float, record->gravity_scale)
@@ -52,19 +52,22 @@ typedef cni_joint cni_constraint;
 #define CNI_DEFINE_IS_VALID(noun) \
 	int32_t cn_##noun##_is_valid(const cn_world *world, cn_##noun noun) { return world != NULL && cni_live_##noun(world, noun) != NULL; }
 
-/* Defines cn_<noun>_set_user_data and cn_<noun>_get_user_data; after: an expression, evaluated after the data were set. */
-#define CNI_DEFINE_USER_DATA(noun, after) \
-	CNI_DEFINE_GET(noun, user_data, uint64_t, record->user_data) \
-	cn_result cn_##noun##_set_user_data(cn_world *world, cn_##noun noun, uint64_t user_data) \
+/* Defines cn_<noun>_set_<what>, which stores one value after a check of it: both are expressions of `call`, `record`, `world` and the value. */
+#define CNI_DEFINE_SET(noun, what, type, value, check, store) \
+	cn_result cn_##noun##_set_##what(cn_world *world, cn_##noun noun, type value) \
 	{ \
 		cni_call call = cni_enter(world, __func__); \
 		cni_##noun *record = cni_check_##noun(&call, #noun, noun); \
-		if (call.result != CN_OK) \
-			return call.result; \
-		record->user_data = user_data; \
-		after; \
-		return CN_OK; \
+		check; \
+		if (call.result == CN_OK) \
+			store; \
+		return call.result; \
 	}
+
+/* Defines cn_<noun>_set_user_data and cn_<noun>_get_user_data; after: an expression, evaluated after the data were set. */
+#define CNI_DEFINE_USER_DATA(noun, after) \
+	CNI_DEFINE_GET(noun, user_data, uint64_t, record->user_data) \
+	CNI_DEFINE_SET(noun, user_data, uint64_t, user_data, (void)0, (record->user_data = user_data, after))
 
 /* Defines cn_world_<name>, which returns an array of the last step's events. */
 #define CNI_DEFINE_EVENTS(name, type, array) \

@@ -110,22 +110,12 @@ static void text_point(cni_text *text, uint32_t d, int32_t before)
 
 void cni_text_float(cni_text *text, float value)
 {
-	uint32_t bits, d;
+	uint32_t bits = cni_bits_of(value) & 0x7FFFFFFFu, d;
 	int32_t exponent;
-	memcpy(&bits, &value, sizeof bits);
-	if ((bits & 0x7F800000u) == 0x7F800000u && (bits & 0x7FFFFFu) != 0) {
-		cni_text_string(text, "nan");
-		return;
-	}
-	if (bits >> 31)
+	if (cni_bits_of(value) >> 31 && bits <= 0x7F800000u)
 		text_char(text, '-');
-	bits &= 0x7FFFFFFFu;
-	if (bits == 0x7F800000u) {
-		cni_text_string(text, "inf");
-		return;
-	}
-	if (bits == 0) {
-		text_char(text, '0');
+	if (bits == 0 || bits >= 0x7F800000u) {
+		cni_text_string(text, bits == 0 ? "0" : bits == 0x7F800000u ? "inf" : "nan");
 		return;
 	}
 	d = float_digits(bits, &exponent);
@@ -161,22 +151,8 @@ cni_call cni_enter_free(void)
 
 /* ------------------------------------------------------------------ refusing */
 
-/* As an argument of refuse: doubles take soft-float routines on processors that compute in single precision only. */
-static uint32_t bits_of(float value)
-{
-	uint32_t bits;
-	memcpy(&bits, &value, sizeof bits);
-	return bits;
-}
-
-static float float_of(uint32_t bits)
-{
-	float value;
-	memcpy(&value, &bits, sizeof value);
-	return value;
-}
-
-/* Records the first failure of a call: "function: " and the format with %s for a string, %f bits_of a float, %i an int64_t, %x a uint32_t. */
+/* Records the first failure of a call: "function: " and the format with %s for a string, %f cni_bits_of a float (doubles take
+   soft-float routines on processors that compute in single precision only), %i an int64_t, %x a uint32_t. */
 static void refuse_in_words(cni_call *call, cn_result result, const char *format, ...)
 {
 	cni_text text;
@@ -195,7 +171,7 @@ static void refuse_in_words(cni_call *call, cn_result result, const char *format
 		}
 		switch (*++format) {
 		case 's': cni_text_string(&text, va_arg(values, const char *)); break;
-		case 'f': cni_text_float(&text, float_of(va_arg(values, uint32_t))); break;
+		case 'f': cni_text_float(&text, cni_float_of(va_arg(values, uint32_t))); break;
 		case 'i': cni_text_int(&text, va_arg(values, int64_t)); break;
 		case 'x': text_hex(&text, va_arg(values, uint32_t)); break;
 		default: text_char(&text, *format); break;
@@ -227,7 +203,7 @@ cn_result cni_refuse(cni_call *call, cn_result result, const char *what)
 
 cn_result cni_refuse_float(cni_call *call, const char *field, float value, const char *must)
 {
-	refuse(call, CN_ERROR_ARGUMENT, "%s %f; %s", field, bits_of(value), must);
+	refuse(call, CN_ERROR_ARGUMENT, "%s %f; %s", field, cni_bits_of(value), must);
 	return call->result;
 }
 
@@ -247,9 +223,9 @@ void cni_check_complaint(cni_call *call, const char *complaint, const cn_vec2 *p
 	least = call->world->settings.thickness_least;
 	if (distance > 0.0f)
 		refuse(call, CN_ERROR_ARGUMENT, "distance of points_m %f; must be from %f (0.05%% of the length unit) to 1e6; a world with cn_world_def.length_unit_m up to %f takes it",
-		       bits_of(distance), bits_of(least), bits_of(distance / CNI_THICKNESS_LEAST));
+		       cni_bits_of(distance), cni_bits_of(least), cni_bits_of(distance / CNI_THICKNESS_LEAST));
 	else
-		refuse(call, CN_ERROR_ARGUMENT, "distance of points_m %f; must be from %f", bits_of(distance), bits_of(least));
+		refuse(call, CN_ERROR_ARGUMENT, "distance of points_m %f; must be from %f", cni_bits_of(distance), cni_bits_of(least));
 }
 
 void cni_check_reserved(cni_call *call, cn_result result, const char *things)
@@ -299,13 +275,13 @@ void cni_check_finite(cni_call *call, const char *field, float value)
 void cni_check_finite2(cni_call *call, const char *field, cn_vec2 value)
 {
 	if (!cni_is_finite2(value))
-		refuse(call, CN_ERROR_ARGUMENT, "%s (%f, %f); both must be finite", field, bits_of(value.x), bits_of(value.y));
+		refuse(call, CN_ERROR_ARGUMENT, "%s (%f, %f); both must be finite", field, cni_bits_of(value.x), cni_bits_of(value.y));
 }
 
 void cni_check_at_least(cni_call *call, const char *field, float value, float lower)
 {
 	if (!(cni_is_finite(value) && value >= lower))
-		refuse(call, CN_ERROR_ARGUMENT, "%s %f; must be finite and >= %f", field, bits_of(value), bits_of(lower));
+		refuse(call, CN_ERROR_ARGUMENT, "%s %f; must be finite and >= %f", field, cni_bits_of(value), cni_bits_of(lower));
 }
 
 void cni_check_positive(cni_call *call, const char *field, float value)
@@ -337,7 +313,7 @@ void cni_check_above_0_or_default(cni_call *call, const char *field, float value
 void cni_check_range(cni_call *call, const char *field, float value, float lower, float upper)
 {
 	if (!(value >= lower && value <= upper))
-		refuse(call, CN_ERROR_ARGUMENT, "%s %f; must be from %f to %f", field, bits_of(value), bits_of(lower), bits_of(upper));
+		refuse(call, CN_ERROR_ARGUMENT, "%s %f; must be from %f to %f", field, cni_bits_of(value), cni_bits_of(lower), cni_bits_of(upper));
 }
 
 void cni_check_within(cni_call *call, const char *field, cn_vec2 value, float most)
@@ -383,7 +359,7 @@ void cni_check_position(cni_call *call, const char *field, cn_vec2 value)
 		return;
 	limit = CNI_POSITION_MAX_UNITS * call->world->settings.length_unit;
 	if (!(cni_abs(value.x) <= limit && cni_abs(value.y) <= limit))
-		refuse(call, CN_ERROR_ARGUMENT, "%s (%f, %f); both must be finite and within +-%f", field, bits_of(value.x), bits_of(value.y), bits_of(limit));
+		refuse(call, CN_ERROR_ARGUMENT, "%s (%f, %f); both must be finite and within +-%f", field, cni_bits_of(value.x), cni_bits_of(value.y), cni_bits_of(limit));
 }
 
 void cni_check_angle(cni_call *call, const char *field, float value)

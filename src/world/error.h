@@ -153,16 +153,13 @@ static inline cni_shape *cni_live_shape(const cn_world *world, cn_shape shape)
 	int32_t index = cni_handles_find(&world->shape_handles, shape);
 	return index != CNI_NONE ? cni_shape_at(world, index) : NULL;
 }
-static inline cni_joint *cni_live_joint(const cn_world *world, cn_joint joint)
+static inline cni_joint *cni_live_record(const cn_world *world, uint32_t handle, int32_t constraint)
 {
-	int32_t index = cni_joint_find(world, joint, 0);
+	int32_t index = cni_joint_find(world, handle, constraint);
 	return index != CNI_NONE ? cni_joint_at(world, index) : NULL;
 }
-static inline cni_joint *cni_live_constraint(const cn_world *world, cn_constraint constraint)
-{
-	int32_t index = cni_joint_find(world, constraint, 1);
-	return index != CNI_NONE ? cni_joint_at(world, index) : NULL;
-}
+static inline cni_joint *cni_live_joint(const cn_world *world, cn_joint joint) { return cni_live_record(world, joint, 0); }
+static inline cni_joint *cni_live_constraint(const cn_world *world, cn_constraint constraint) { return cni_live_record(world, constraint, 1); }
 /* ... or NULL when the call has failed. */
 cni_body *cni_check_body(cni_call *call, const char *field, cn_body body);
 cni_shape *cni_check_shape(cni_call *call, const char *field, cn_shape shape);

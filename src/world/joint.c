@@ -1,5 +1,5 @@
 /*
- * world/joint.c - public functions on joints of all types: bodies, state, flags, motor, limits, solver, lists, events.
+ * world/joint.c - public functions on joints and constraints of all types: bodies, state, flags, motor, limits, solver, lists, events.
  * Definitions are in joint_create.c, the fields of each type in joint_kinds.c.
  */
 #include "joints/joint_type.h"
@@ -30,14 +30,13 @@ static void forget_missing_rows(const cn_world *world, cni_joint *j)
 {
 	cni_joint_frame frame = cni_joint_frame_make(world, j);
 	cni_row rows[CNI_JOINT_ROWS];
-	int32_t count = cni_joint_type_of(j->type)->rows(j, &frame, rows), slot, k;
-	for (slot = 0; slot < CNI_JOINT_ROWS; ++slot) {
-		int32_t present = 0;
-		for (k = 0; k < count; ++k)
-			present |= rows[k].slot == slot;
-		if (!present)
-			j->impulse[slot] = 0.0f;
-	}
+	int32_t count = cni_joint_type_of(j->type)->rows(j, &frame, rows), k;
+	uint32_t present = 0;
+	for (k = 0; k < count; ++k)
+		present |= 1u << rows[k].slot;
+	for (k = 0; k < CNI_JOINT_ROWS; ++k)
+		if (!(present >> k & 1u))
+			j->impulse[k] = 0.0f;
 }
 
 void cni_joint_change_flags(cn_world *world, int32_t joint, uint32_t flags)
@@ -143,9 +142,17 @@ CNI_DEFINE_GET(joint, flags, uint32_t, record->flags)
 CNI_DEFINE_GET(joint, position, float, cni_joint_position(world, record))
 CNI_DEFINE_GET(joint, speed, float, cni_joint_speed(world, record))
 
+CNI_DEFINE_IS_VALID(constraint)
+CNI_DEFINE_GET(constraint, type, int32_t, record->type - CNI_JOINT_ANGLE)
+CNI_DEFINE_GET(constraint, body, cn_body, cni_handles_of(&world->body_handles, record->body[1]))
+CNI_DEFINE_GET(constraint, position, float, cni_joint_position(world, record))
+CNI_DEFINE_GET2(constraint, reaction, cn_vec2, float, cni_joint_reaction(world, record, out_a, out_b))
+CNI_DEFINE_GET2(constraint, error, float, float, cni_joint_error(world, record, out_a, out_b))
+
 /* ------------------------------------------------------------------ lists and events */
 
-cn_result cni_list_joints_of(const cn_world *world, cn_body body, int32_t constraint, uint32_t *out, int32_t capacity, int32_t *out_count)
+/* Joints (constraint 0) or constraints (1) of a body, and below of the world. */
+static cn_result list_joints_of(const cn_world *world, cn_body body, int32_t constraint, uint32_t *out, int32_t capacity, int32_t *out_count)
 {
 	cni_call call = cni_enter_const(world);
 	const cni_body *b = cni_check_body(&call, "body", body);
@@ -160,7 +167,7 @@ cn_result cni_list_joints_of(const cn_world *world, cn_body body, int32_t constr
 	return CN_OK;
 }
 
-cn_result cni_list_joints(const cn_world *world, int32_t constraint, uint32_t *out, int32_t capacity, int32_t *out_count)
+static cn_result list_joints(const cn_world *world, int32_t constraint, uint32_t *out, int32_t capacity, int32_t *out_count)
 {
 	cni_call call = cni_enter_const(world);
 	cni_list list = cni_list_begin(&call, out, capacity, out_count);
@@ -174,4 +181,16 @@ cn_result cni_list_joints(const cn_world *world, int32_t constraint, uint32_t *o
 	return CN_OK;
 }
 
+#define DEFINE_LISTS(noun, constraint) \
+	cn_result cn_world_get_##noun##s(const cn_world *world, cn_##noun *out, int32_t capacity, int32_t *out_count) \
+	{ \
+		return list_joints(world, constraint, out, capacity, out_count); \
+	} \
+	cn_result cn_body_get_##noun##s(const cn_world *world, cn_body body, cn_##noun *out, int32_t capacity, int32_t *out_count) \
+	{ \
+		return list_joints_of(world, body, constraint, out, capacity, out_count); \
+	}
+
+DEFINE_LISTS(joint, 0)
+DEFINE_LISTS(constraint, 1)
 CNI_DEFINE_EVENTS(joint_events, cn_joint_event, joint_log)

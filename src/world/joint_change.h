@@ -1,6 +1,5 @@
 /*
- * world/joint_change.h - shared by the public functions on joints and constraints: definitions by type,
- * creating, changing and listing.
+ * world/joint_change.h - shared by the public functions on joints and constraints: definitions by type, changing.
  */
 #ifndef CNI_WORLD_JOINT_CHANGE_H
 #define CNI_WORLD_JOINT_CHANGE_H
@@ -39,18 +38,9 @@ void cni_check_joint_limits(cni_call *call, int32_t type, float lower, float upp
 
 /* The record of a live joint or constraint of this type, or NULL when the call has failed. */
 cni_joint *cni_check_joint_of_type(cni_call *call, int32_t type, uint32_t handle);
-/* Reserves memory for one more joint that ends up to this many contacts. */
-void cni_joint_reserve_one(cni_call *call, cn_world *world, int32_t contacts);
-/* Takes a slot after cni_joint_reserve_one; the record is unlinked and 0 except for the arguments. */
-int32_t cni_joint_take(cn_world *world, int32_t type, uint32_t flags, int32_t body_a, int32_t body_b);
-
 /* Reserves memory for cni_joint_change_flags. */
 void cni_joint_change_reserve(cni_call *call, cn_world *world, const cni_joint *j);
 /* Replaces the flags, ends or permits contacts between the bodies, clears the impulses of missing rows, and wakes both bodies. */
 void cni_joint_change_flags(cn_world *world, int32_t joint, uint32_t flags);
-
-/* Joints (constraint 0) or constraints (1) of a body, and of the world. */
-cn_result cni_list_joints_of(const cn_world *world, cn_body body, int32_t constraint, uint32_t *out, int32_t capacity, int32_t *out_count);
-cn_result cni_list_joints(const cn_world *world, int32_t constraint, uint32_t *out, int32_t capacity, int32_t *out_count);
 
 #endif

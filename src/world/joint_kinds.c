@@ -43,61 +43,52 @@ struct cni_joint_field {
 #define P(number) (offsetof(cni_joint, p) + sizeof(float) * (size_t)(number))
 #define FIELD(def, name, in_joint, values, initial) { #name, offsetof(def, name), in_joint, values, { initial, 0.0f } }
 #define VECTOR(def, name, in_joint, values, x, y) { #name, offsetof(def, name), in_joint, values, { x, y } }
+/* What several types have: */
+#define LIMITS(def, lower, upper, upper_initial) FIELD(def, lower, P(CNI_P_LOWER), LOWER, 0.0f), FIELD(def, upper, P(CNI_P_UPPER), UPPER, upper_initial)
+#define MOTOR(def, speed, most) FIELD(def, speed, P(CNI_P_MOTOR_SPEED), FINITE, 0.0f), FIELD(def, most, P(CNI_P_MOTOR_MAX), AT_LEAST_0, 0.0f)
+/* The record has the damping ratio behind the frequency. */
+#define SPRING(def, hertz, ratio, in_joint, values, hertz_initial, ratio_initial) \
+	FIELD(def, hertz, in_joint, values, hertz_initial), FIELD(def, ratio, (in_joint) + sizeof(float), DAMPING, ratio_initial)
 
 static const cni_joint_field revolute_fields[] = {
 	FIELD(cn_revolute_def, reference_angle_rad, P(CNI_P_REFERENCE), ANGLE, 0.0f),
-	FIELD(cn_revolute_def, lower_angle_rad, P(CNI_P_LOWER), LOWER, 0.0f),
-	FIELD(cn_revolute_def, upper_angle_rad, P(CNI_P_UPPER), UPPER, 0.0f),
-	FIELD(cn_revolute_def, motor_speed_radps, P(CNI_P_MOTOR_SPEED), FINITE, 0.0f),
-	FIELD(cn_revolute_def, motor_torque_max_Nm, P(CNI_P_MOTOR_MAX), AT_LEAST_0, 0.0f),
+	LIMITS(cn_revolute_def, lower_angle_rad, upper_angle_rad, 0.0f),
+	MOTOR(cn_revolute_def, motor_speed_radps, motor_torque_max_Nm),
 	FIELD(cn_revolute_def, spring_target_rad, P(CNI_P_TARGET), ANGLE, 0.0f),
-	FIELD(cn_revolute_def, spring_hertz, P(CNI_P_HERTZ), HERTZ, 0.0f),
-	FIELD(cn_revolute_def, spring_damping_ratio, P(CNI_P_DAMPING), DAMPING, 0.0f)
+	SPRING(cn_revolute_def, spring_hertz, spring_damping_ratio, P(CNI_P_HERTZ), HERTZ, 0.0f, 0.0f)
 };
 static const cni_joint_field distance_fields[] = {
 	FIELD(cn_distance_def, length_m, P(CNI_P_LENGTH), ABOVE_0, 1.0f),
-	FIELD(cn_distance_def, length_min_m, P(CNI_P_LOWER), LOWER, 0.0f),
-	FIELD(cn_distance_def, length_max_m, P(CNI_P_UPPER), UPPER, 1.0f),
-	FIELD(cn_distance_def, motor_speed_mps, P(CNI_P_MOTOR_SPEED), FINITE, 0.0f),
-	FIELD(cn_distance_def, motor_force_max_N, P(CNI_P_MOTOR_MAX), AT_LEAST_0, 0.0f),
-	FIELD(cn_distance_def, spring_hertz, P(CNI_P_DISTANCE_HERTZ), HERTZ, 0.0f),
-	FIELD(cn_distance_def, spring_damping_ratio, P(CNI_P_DISTANCE_DAMPING), DAMPING, 0.0f)
+	LIMITS(cn_distance_def, length_min_m, length_max_m, 1.0f),
+	MOTOR(cn_distance_def, motor_speed_mps, motor_force_max_N),
+	SPRING(cn_distance_def, spring_hertz, spring_damping_ratio, P(CNI_P_DISTANCE_HERTZ), HERTZ, 0.0f, 0.0f)
 };
 static const cni_joint_field fixed_fields[] = {
 	FIELD(cn_fixed_def, reference_angle_rad, P(CNI_P_REFERENCE), ANGLE, 0.0f),
-	FIELD(cn_fixed_def, angular_hertz, P(CNI_P_HERTZ), HERTZ_OR_RIGID, CN_DEFAULT),
-	FIELD(cn_fixed_def, angular_damping_ratio, P(CNI_P_DAMPING), DAMPING, 0.0f)
+	SPRING(cn_fixed_def, angular_hertz, angular_damping_ratio, P(CNI_P_HERTZ), HERTZ_OR_RIGID, CN_DEFAULT, 0.0f)
 };
 static const cni_joint_field prismatic_fields[] = {
 	VECTOR(cn_prismatic_def, axis, P(CNI_P_AXIS_X), AXIS, 1.0f, 0.0f),
 	FIELD(cn_prismatic_def, reference_angle_rad, P(CNI_P_REFERENCE), ANGLE, 0.0f),
-	FIELD(cn_prismatic_def, lower_m, P(CNI_P_LOWER), LOWER, 0.0f),
-	FIELD(cn_prismatic_def, upper_m, P(CNI_P_UPPER), UPPER, 0.0f),
-	FIELD(cn_prismatic_def, motor_speed_mps, P(CNI_P_MOTOR_SPEED), FINITE, 0.0f),
-	FIELD(cn_prismatic_def, motor_force_max_N, P(CNI_P_MOTOR_MAX), AT_LEAST_0, 0.0f),
+	LIMITS(cn_prismatic_def, lower_m, upper_m, 0.0f),
+	MOTOR(cn_prismatic_def, motor_speed_mps, motor_force_max_N),
 	FIELD(cn_prismatic_def, spring_target_m, P(CNI_P_TARGET), FINITE, 0.0f),
-	FIELD(cn_prismatic_def, spring_hertz, P(CNI_P_HERTZ), HERTZ, 0.0f),
-	FIELD(cn_prismatic_def, spring_damping_ratio, P(CNI_P_DAMPING), DAMPING, 0.0f)
+	SPRING(cn_prismatic_def, spring_hertz, spring_damping_ratio, P(CNI_P_HERTZ), HERTZ, 0.0f, 0.0f)
 };
 static const cni_joint_field wheel_fields[] = {
 	VECTOR(cn_wheel_def, axis, P(CNI_P_AXIS_X), AXIS, 0.0f, 1.0f),
-	FIELD(cn_wheel_def, lower_m, P(CNI_P_LOWER), LOWER, 0.0f),
-	FIELD(cn_wheel_def, upper_m, P(CNI_P_UPPER), UPPER, 0.0f),
-	FIELD(cn_wheel_def, motor_speed_radps, P(CNI_P_MOTOR_SPEED), FINITE, 0.0f),
-	FIELD(cn_wheel_def, motor_torque_max_Nm, P(CNI_P_MOTOR_MAX), AT_LEAST_0, 0.0f),
-	FIELD(cn_wheel_def, spring_hertz, P(CNI_P_HERTZ), HERTZ, 1.0f),
-	FIELD(cn_wheel_def, spring_damping_ratio, P(CNI_P_DAMPING), DAMPING, 0.7f)
+	LIMITS(cn_wheel_def, lower_m, upper_m, 0.0f),
+	MOTOR(cn_wheel_def, motor_speed_radps, motor_torque_max_Nm),
+	SPRING(cn_wheel_def, spring_hertz, spring_damping_ratio, P(CNI_P_HERTZ), HERTZ, 1.0f, 0.7f)
 };
 static const cni_joint_field motor_fields[] = {
 	VECTOR(cn_motor_def, offset_m, P(CNI_P_MOTOR_OFFSET_X), POSITION, 0.0f, 0.0f),
 	FIELD(cn_motor_def, angle_rad, P(CNI_P_MOTOR_ANGLE), ANGLE, 0.0f),
-	FIELD(cn_motor_def, hertz, P(CNI_P_HERTZ), HERTZ_ABOVE_0, 5.0f),
-	FIELD(cn_motor_def, damping_ratio, P(CNI_P_DAMPING), DAMPING, 1.0f)
+	SPRING(cn_motor_def, hertz, damping_ratio, P(CNI_P_HERTZ), HERTZ_ABOVE_0, 5.0f, 1.0f)
 };
 static const cni_joint_field mouse_fields[] = {
 	VECTOR(cn_mouse_def, target_m, offsetof(cni_joint, anchor), POSITION, 0.0f, 0.0f),
-	FIELD(cn_mouse_def, hertz, P(CNI_P_HERTZ), HERTZ_ABOVE_0, 5.0f),
-	FIELD(cn_mouse_def, damping_ratio, P(CNI_P_DAMPING), DAMPING, 0.7f)
+	SPRING(cn_mouse_def, hertz, damping_ratio, P(CNI_P_HERTZ), HERTZ_ABOVE_0, 5.0f, 0.7f)
 };
 static const cni_joint_field gear_fields[] = {
 	FIELD(cn_gear_def, ratio, P(CNI_P_GEAR_RATIO), RATIO, 1.0f),
@@ -115,17 +106,14 @@ static const cni_joint_field ratchet_fields[] = {
 };
 static const cni_joint_field rotary_spring_fields[] = {
 	FIELD(cn_rotary_spring_def, rest_angle_rad, P(CNI_P_REST), ANGLE, 0.0f),
-	FIELD(cn_rotary_spring_def, hertz, P(CNI_P_REST_HERTZ), HERTZ_ABOVE_0, 1.0f),
-	FIELD(cn_rotary_spring_def, damping_ratio, P(CNI_P_REST_DAMPING), DAMPING, 0.0f)
+	SPRING(cn_rotary_spring_def, hertz, damping_ratio, P(CNI_P_REST_HERTZ), HERTZ_ABOVE_0, 1.0f, 0.0f)
 };
 static const cni_joint_field groove_fields[] = {
 	VECTOR(cn_groove_def, end_m, P(CNI_P_GROOVE_END_X), POSITION, 1.0f, 0.0f)
 };
 static const cni_joint_field angle_fields[] = {
-	FIELD(cn_angle_constraint_def, lower_rad, P(CNI_P_LOWER), LOWER, 0.0f),
-	FIELD(cn_angle_constraint_def, upper_rad, P(CNI_P_UPPER), UPPER, 0.0f),
-	FIELD(cn_angle_constraint_def, hertz, offsetof(cni_joint, stiffness_hertz), HERTZ_OR_RIGID, CN_DEFAULT),
-	FIELD(cn_angle_constraint_def, damping_ratio, offsetof(cni_joint, stiffness_damping), DAMPING, 0.0f),
+	LIMITS(cn_angle_constraint_def, lower_rad, upper_rad, 0.0f),
+	SPRING(cn_angle_constraint_def, hertz, damping_ratio, offsetof(cni_joint, stiffness_hertz), HERTZ_OR_RIGID, CN_DEFAULT, 0.0f),
 	FIELD(cn_angle_constraint_def, break_torque_Nm, offsetof(cni_joint, break_torque), BREAK, CN_DEFAULT),
 	FIELD(cn_angle_constraint_def, user_data, offsetof(cni_joint, user_data), USER_DATA, 0.0f)
 };
@@ -134,18 +122,15 @@ static const cni_joint_field line_fields[] = {
 	VECTOR(cn_line_constraint_def, origin_m, offsetof(cni_joint, anchor), POSITION, 0.0f, 0.0f),
 	VECTOR(cn_line_constraint_def, axis, P(CNI_P_AXIS_X), AXIS, 1.0f, 0.0f),
 	FIELD(cn_line_constraint_def, tolerance_m, P(CNI_P_LINE_TOLERANCE), AT_LEAST_0, 0.0f),
-	FIELD(cn_line_constraint_def, lower_m, P(CNI_P_LOWER), LOWER, 0.0f),
-	FIELD(cn_line_constraint_def, upper_m, P(CNI_P_UPPER), UPPER, 0.0f),
-	FIELD(cn_line_constraint_def, hertz, offsetof(cni_joint, stiffness_hertz), HERTZ_OR_RIGID, CN_DEFAULT),
-	FIELD(cn_line_constraint_def, damping_ratio, offsetof(cni_joint, stiffness_damping), DAMPING, 0.0f),
+	LIMITS(cn_line_constraint_def, lower_m, upper_m, 0.0f),
+	SPRING(cn_line_constraint_def, hertz, damping_ratio, offsetof(cni_joint, stiffness_hertz), HERTZ_OR_RIGID, CN_DEFAULT, 0.0f),
 	FIELD(cn_line_constraint_def, break_force_N, offsetof(cni_joint, break_force), BREAK, CN_DEFAULT),
 	FIELD(cn_line_constraint_def, user_data, offsetof(cni_joint, user_data), USER_DATA, 0.0f)
 };
 
 /* Of all joints: the members of cn_joint_base that say how strong the joint is. */
 static const cni_joint_field strength_fields[] = {
-	FIELD(cn_joint_base, stiffness_hertz, offsetof(cni_joint, stiffness_hertz), HERTZ_OR_RIGID, CN_DEFAULT),
-	FIELD(cn_joint_base, stiffness_damping_ratio, offsetof(cni_joint, stiffness_damping), DAMPING, 0.0f),
+	SPRING(cn_joint_base, stiffness_hertz, stiffness_damping_ratio, offsetof(cni_joint, stiffness_hertz), HERTZ_OR_RIGID, CN_DEFAULT, 0.0f),
 	FIELD(cn_joint_base, force_max_N, offsetof(cni_joint, force_max), BREAK, CN_DEFAULT),
 	FIELD(cn_joint_base, torque_max_Nm, offsetof(cni_joint, torque_max), BREAK, CN_DEFAULT),
 	FIELD(cn_joint_base, break_force_N, offsetof(cni_joint, break_force), BREAK, CN_DEFAULT),

@@ -36,17 +36,14 @@ static float hull_tolerance(const cn_vec2 *points, int32_t count)
 cn_result cn_polygon_make_hull(const cn_vec2 *points_m, int32_t count, float radius_m, cn_polygon *out)
 {
 	cni_call call = cni_enter_free();
-	cn_polygon hull;
 	check_points(&call, points_m, count, 3, HULL_POINTS_MAX);
 	cni_check_pointer(&call, "out", out);
 	cni_check_range(&call, "radius_m", radius_m, 0.0f, CNI_COORDINATE_MAX);
 	if (call.result != CN_OK)
 		return call.result;
-	memset(&hull, 0, sizeof hull);
-	if (cni_hull_make(points_m, count, hull_tolerance(points_m, count), &hull) != NULL)
+	if (cni_hull_make(points_m, count, hull_tolerance(points_m, count), out) != NULL)
 		return CN_ERROR_ARGUMENT;
-	hull.radius_m = radius_m;
-	*out = hull;
+	out->radius_m = radius_m;
 	return CN_OK;
 }
 

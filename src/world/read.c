@@ -1,8 +1,8 @@
 /*
- * world/read.c - public bulk functions: lists of all objects, poses and velocities of many bodies in one
+ * world/read.c - public bulk functions: lists of all bodies and shapes, poses and velocities of many bodies in one
  * call, the bodies that moved. All handles are checked before the first write.
  */
-#include "world/joint_change.h"
+#include "world/error.h"
 
 #include <string.h>
 
@@ -29,11 +29,6 @@ cn_result cn_world_get_bodies(const cn_world *world, cn_body *out, int32_t capac
 cn_result cn_world_get_shapes(const cn_world *world, cn_shape *out, int32_t capacity, int32_t *out_count)
 {
 	return list_alive(world, world != NULL ? &world->shape_handles : NULL, out, capacity, out_count);
-}
-
-cn_result cn_world_get_joints(const cn_world *world, cn_joint *out, int32_t capacity, int32_t *out_count)
-{
-	return cni_list_joints(world, 0, out, capacity, out_count);
 }
 
 /* ------------------------------------------------------------------ many bodies */

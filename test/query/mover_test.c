@@ -3,7 +3,7 @@
  * jumps as high as physics says, never passes through a wall, and is not caught by seams.
  *
  * If a test here fails, look first in: src/query/mover.c (order of a move), mover_ground.c (steps, slopes, snapping),
- * mover_slide.c, mover_plane.c (what bounds it).
+ * mover_plane.c (what bounds it, sliding).
  */
 #include "movers.h"
 

@@ -6,7 +6,7 @@
 
 #include "world/joints.h"
 #include "world/memory_session.h"
-#include "save/save.h"
+#include "model/world.h"
 
 #define LOCKSTEP 120
 

@@ -2,7 +2,7 @@
  * test/world/constraint_test.c - constraints on one body: angle and line, alone and against contacts.
  *
  * If a test here fails, look first in: joints/joint_type.c (rows), joints/joint_turns.c (whole
- * turns), joints/joint_solve.c (solving, breaking), world/constraint.c (definitions, handles).
+ * turns), joints/joint_solve.c (solving, breaking), world/joint_create.c (definitions, handles).
  */
 #include "joints.h"
 

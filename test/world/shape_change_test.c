@@ -2,7 +2,7 @@
  * test/world/shape_change_test.c - shapes change in place: the handle stays, and everything else is as if the shape had been created
  * so.
  *
- * If a test here fails, run world/shape first, then look in: world/shape_change.c, model/shape.c (pieces, boxes).
+ * If a test here fails, run world/shape first, then look in: world/shape_create.c, model/shape.c (pieces, boxes).
  */
 #include "events.h"
 
