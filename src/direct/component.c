@@ -115,6 +115,18 @@ void cni_component_rows_need(cn_world *world, const cni_solve *s, const cni_spar
 			cni_joint_rows_need(world, s, cni_joint_constraints(world) + sparse->nodes[k].owner);
 }
 
+/* May its system be nearly singular? Those of loops, and of light bodies on long arms, which one impulse moves much, between heavy ones. */
+static int32_t is_checked(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	float most = 0.0f;
+	int32_t k, i;
+	for (k = c->begin; k < c->end && !c->loops; ++k)
+		for (i = 0; i < sparse->nodes[k].rows && sparse->nodes[k].owner >= 0; ++i)
+			if (!cni_joint_constraints(world)[sparse->nodes[k].owner].rows[i].angular)
+				most = cni_max(most, sparse->nodes[k].diagonal[i]);
+	return c->loops || most * c->heaviest > CNI_CHECKED_RATIO;
+}
+
 void cni_direct_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c)
 {
 	cni_component_rows_need(world, s, sparse, c);
@@ -125,6 +137,7 @@ void cni_direct_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, c
 		c->width = CNI_NODE_ROWS;
 	cni_geometric_stiffness_begin(world, sparse, c, s->h);
 	cni_direct_system(world, s, sparse, c);
+	c->checked = is_checked(world, sparse, c);
 }
 
 void cni_direct_system(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c)
@@ -247,25 +260,18 @@ static void dampers_forget(cn_world *world, const cni_sparse *sparse, const cni_
 	}
 }
 
-/* Only systems of loops, and of light bodies on long arms between heavy ones, may be nearly singular. */
-static int32_t is_checked(const cni_component *c)
-{
-	return c->loops || c->mass_ratio > CNI_CHECKED_MASS_RATIO;
-}
-
 /* Rows of loops may be redundant, so their system may be nearly singular. When a solution exceeds its bound, it is solved again with a
    larger diagonal, which the component keeps for this step. */
 int32_t cni_direct_apply(cn_world *world, cni_sparse *sparse, cni_component *c)
 {
-	int32_t checked = is_checked(c);
-	if (checked || c->active)
+	if (c->checked || c->active)
 		sides_save(sparse, c, 0);
-	if (checked)
+	if (c->checked)
 		cni_direct_motions_save(world, sparse, c, 0);
 	for (;;) {
 		if (cni_sparse_solve(sparse, c)) {
 			solution_push(world, sparse, c);
-			if (!checked || is_bounded(world, sparse, c)) {
+			if (!c->checked || is_bounded(world, sparse, c)) {
 				dampers_forget(world, sparse, c);
 				if (c->active)
 					cni_active_impulses_add(world, sparse, c);

@@ -202,7 +202,7 @@ static int32_t is_redundant(cn_world *world, const cni_solve *s, cni_sparse *spa
 	return 0;
 }
 
-static float mass_ratio(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+static void masses_find(const cn_world *world, const cni_sparse *sparse, cni_component *c)
 {
 	float least = FLT_MAX, most = 0.0f;
 	int32_t k;
@@ -212,7 +212,8 @@ static float mass_ratio(const cn_world *world, const cni_sparse *sparse, const c
 		if (inv_mass > 0.0f)
 			least = cni_min(least, inv_mass);
 	}
-	return most / least;
+	c->heaviest = 1.0f / least;
+	c->mass_ratio = most / least;
 }
 
 /* A light body between far heavier ones: beside the rows that move it, what the heavy ones bear through it is lost in rounding, as a pin
@@ -262,7 +263,7 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 		if (far && k + 1 < out->component_count)
 			cni_component_prefetch(world, out, k + 1);
 		c->regular = c->has_contacts ? CNI_REGULARIZATION_CONTACTS : c->loops ? CNI_REGULARIZATION_LOOPS : 0.0f;
-		c->mass_ratio = mass_ratio(world, out, c);
+		masses_find(world, out, c);
 		c->uses_rattle = CNI_ON(RATTLE) && !c->has_contacts && cni_component_uses_rattle(world, s, out, c);
 		if (is_stretched_net(world, s, out, c)) {
 			net_release(world, out, c);

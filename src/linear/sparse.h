@@ -69,7 +69,9 @@ typedef struct cni_component {
 	int16_t tree;                  /* 1: the graph of moving bodies and nodes has no cycle */
 	int16_t has_ropes;             /* 1: some nodes have no rows of their own */
 	int32_t width;                 /* 2 or 3: rows per node in the solution */
-	float mass_ratio;              /* greatest mass of a body over least */
+	float heaviest;                /* greatest mass of a body, kg */
+	float mass_ratio;              /* ... over the least */
+	int32_t checked;               /* 1: its solutions are checked */
 	float regular;                 /* regularization: this fraction of the diagonal is added to it */
 	int32_t uses_rattle;           /* 1: direct/rattle.c takes the bodies' whole step */
 	int32_t done;                  /* 1: finished for this step */
