@@ -14,6 +14,7 @@
 
 #define PREFETCH_AHEAD 8 /* joints */
 #define JOINTS_A_RANGE 256
+#define FEW_JOINTS_PART 8 /* of the awake bodies: the bodies of so few joints are looked up one by one */
 
 /* ---- the beginning of a step ---- */
 
@@ -215,6 +216,65 @@ void cni_joints_solve(cn_world *world, const cni_solve *s)
 	for (k = world->joint_plain_first; k != CNI_NONE; k = cni_joint_constraints(world)[k].next_plain)
 		solve_constraint(cni_joint_constraints(world) + k, cni_motions(world), s, 1);
 	cni_joint_blocks_run(world, s, s->joint_kernel->solve, 0);
+}
+
+/* The body at the other end of one of its joints, which are all soft; 0: the world, or an immovable body. CNI_NONE: it has exact joints, which
+   would not hold. */
+static int32_t soft_partner(const cn_world *world, int32_t index)
+{
+	const cni_body *b = cni_body_at(world, cni_awake_ids(world)[index]);
+	int32_t key, partner = 0;
+	for (key = b->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1]) {
+		int32_t at = cni_joint_at(world, key >> 1)->awake;
+		const cni_joint_constraint *w;
+		if (at == CNI_NONE)
+			continue;
+		w = cni_joint_constraints(world) + at;
+		if (w->flags & CNI_CONSTRAINT_DIRECT)
+			return CNI_NONE;
+		if (partner == 0)
+			partner = w->ia == index ? w->ib : w->ia;
+	}
+	return partner;
+}
+
+static void turn_limit(cn_world *world, int32_t index, float most)
+{
+	cni_motion *m = cni_motions(world) + index, *other;
+	float change = m->w - cni_starts(world)[index].w, denied = change - cni_clamp(change, -most, most);
+	int32_t partner = denied != 0.0f ? soft_partner(world, index) : CNI_NONE;
+	if (partner == CNI_NONE)
+		return;
+	other = cni_motions(world) + partner;
+	m->w -= denied;
+	if (m->inv_inertia > 0.0f && other->inv_inertia > 0.0f)
+		other->w += denied * other->inv_inertia / m->inv_inertia;
+}
+
+/* Only bodies that turn far are looked at. */
+CNI_INLINE void turn_check(cn_world *world, int32_t index, float most)
+{
+	uint32_t jointed = CNI_EXTERNAL_JOINTED, kinds = jointed | CNI_EXTERNAL_FINISHED;
+	if (cni_abs(cni_motions(world)[index].w) > most && (cni_externals(world)[index].flags & kinds) == jointed)
+		turn_limit(world, index, most);
+}
+
+/*
+ * Soft joints turn no body by more than CNI_JOINT_TURN_MOST in a substep beyond what it turned before: they would turn light parts among heavy
+ * ones so far that their rows, which are linear, put energy into them. What a body is denied its neighbour takes, so that angular momentum
+ * stays. (Box2D limits the turn itself.)
+ */
+void cni_joints_limit_turns(cn_world *world, const cni_solve *s)
+{
+	const cni_joint_constraint *w = cni_joint_constraints(world);
+	float most = CNI_JOINT_TURN_MOST * s->inv_h;
+	int32_t k, joints = world->awake_joints.count, few = joints < world->awake_count / FEW_JOINTS_PART;
+	for (k = 0; few && k < joints; ++k) {
+		turn_check(world, w[k].ia, most);
+		turn_check(world, w[k].ib, most);
+	}
+	for (k = 1; !few && k < world->awake_count; ++k)
+		turn_check(world, k, most);
 }
 
 void cni_joints_solve_fresh(cn_world *world, const cni_solve *s, int32_t constraints)

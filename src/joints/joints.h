@@ -13,6 +13,7 @@ void cni_joints_warm_start(cn_world *world, const cni_solve *s);
 /* Constraints on single bodies (1) or joints between bodies (0), without warm starting: sequential solver. */
 void cni_joints_solve_fresh(cn_world *world, const cni_solve *s, int32_t constraints);
 void cni_joints_solve(cn_world *world, const cni_solve *s);
+void cni_joints_limit_turns(cn_world *world, const cni_solve *s);
 void cni_joints_relax(cn_world *world, const cni_solve *s);
 /* After all relax passes of a substep: records the largest reaction of breakable joints. */
 void cni_joints_stress(cn_world *world, const cni_solve *s);

@@ -69,10 +69,17 @@ extern const cni_body_kernel cni_body_kernel_8; /* AVX2, chosen at run time */
  * Changes that a tenth of this acceleration gives are none: most bodies of a pile have no others.
  */
 
+/* m/s^2: CNI_STEADY_ACCELERATION, or less where gravity is less than on earth: slopes too steep, and what creeps in a heap, accelerate in proportion. */
+static inline float cni_steady_acceleration(const cn_world *world)
+{
+	float unit = world->settings.length_unit, gravity = cni_length(world->settings.gravity) / CNI_STANDARD_GRAVITY;
+	return CNI_STEADY_ACCELERATION * (gravity > 0.0f ? cni_clamp(gravity, CNI_STEADY_LEAST_PART * unit, unit) : unit);
+}
+
 /* The change of velocity in a time to which this is compared, squared. */
 static inline float cni_little_change_sq(const cn_world *world, float time)
 {
-	return cni_sq(0.1f * CNI_STEADY_ACCELERATION * world->settings.length_unit * time);
+	return cni_sq(0.1f * cni_steady_acceleration(world) * time);
 }
 
 typedef struct cni_gain_limits {
@@ -80,28 +87,31 @@ typedef struct cni_gain_limits {
 	float most;
 	float little_sq;   /* smaller changes of velocity are skipped */
 	float speed;       /* that a steady acceleration adds with each gain, less a rounding */
+	float alone;       /* part of these for a body that touches and is joined to no other */
 } cni_gain_limits;
 
 static inline cni_gain_limits cni_gain_limits_make(const cn_world *world, float dt)
 {
-	float delay = world->settings.sleep_delay, steady = CNI_STEADY_ACCELERATION * world->settings.length_unit;
+	float delay = world->settings.sleep_delay, steady = cni_steady_acceleration(world);
 	float leak = dt / cni_max(delay, dt);
-	cni_gain_limits limits = { delay, leak, 0.5f * steady * delay * delay, cni_little_change_sq(world, delay * leak), 0.99f * steady * delay };
+	cni_gain_limits limits = { delay, leak, 0.5f * steady * delay * delay, cni_little_change_sq(world, delay * leak), 0.99f * steady * delay,
+		cni_length(world->settings.gravity) > 0.0f ? CNI_STEADY_ALONE_PART : 1.0f };
 	return limits;
 }
 
 /* Adds the change of velocity (dvx, dvy, dw) that led to v. Returns 1 when the body has gained more than a body at rest does. */
 static inline int32_t cni_body_gains(cni_body *b, const cni_motion *v, float dvx, float dvy, float dw, const cni_gain_limits *limits)
 {
+	float part = b->island == CNI_NONE ? limits->alone : 1.0f;
 	float turn = v->w * b->extent, dturn = dw * b->extent, x = v->vx - dvx, y = v->vy - dvy, was = turn - dturn, speed, t, keep;
 	uint32_t gains = b->flags >> CNI_BODY_GAINS_SHIFT;
-	if (dvx * dvx + dvy * dvy + dturn * dturn <= limits->little_sq && b->sleep_time > 0.0f)
+	if (dvx * dvx + dvy * dvy + dturn * dturn <= part * part * limits->little_sq && b->sleep_time > 0.0f)
 		return 0;
 	t = cni_min(b->sleep_time, limits->delay);
 	keep = t <= 0.0f ? 0.0f : t < limits->delay ? 1.0f : 1.0f - limits->leak;
 	speed = cni_sqrt(v->vx * v->vx + v->vy * v->vy + turn * turn);
 	b->gain = keep * b->gain + t * (speed - cni_sqrt(x * x + y * y + was * was));
-	if (cni_abs(b->gain) <= limits->most || speed < limits->speed * (float)(gains + 1u))
+	if (cni_abs(b->gain) <= part * limits->most || speed < part * limits->speed * (float)(gains + 1u))
 		return 0;
 	if (b->gain > 0.0f && gains < CNI_BODY_GAINS_MOST)
 		b->flags += 1u << CNI_BODY_GAINS_SHIFT;

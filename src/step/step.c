@@ -124,6 +124,8 @@ static void substeps_lead(void *context)
 		cni_contacts_solve(world, s);
 		if (has_direct(s))
 			cni_direct_project(world, s);
+		if (has_joints(world))
+			cni_joints_limit_turns(world, s);
 		cni_integrate_positions(world, s);
 		joints_relax(world, s);
 		cni_contacts_relax(world, s);

@@ -24,7 +24,7 @@ static const arch_scene arch_scenes[ARCH_SCENES] = {
 	{ "tiers", scene_tiers, 0xaac243300a7097c8 },
 	{ "sequential", scene_sequential, 0x6bc77927e99d3264 },
 	{ "queries", scene_queries, 0xb60042162b4b3322 },
-	{ "events", scene_events, 0x76a43ce4d336a2c2 },
+	{ "events", scene_events, 0xf63e04fb9cdf35da },
 	{ "file", scene_file, 0x54bc850b4401dac6 },
 };
 

@@ -12,13 +12,15 @@
 
 static const struct { float speed, delay; } settings[SETTINGS] = { { 0.01f, 0.5f }, { 0.05f, 0.2f }, { 0.05f, 0.5f }, { 0.2f, 1.0f } };
 
-static cn_world *slow_world(int32_t setting, float gravity_x)
+static cn_world *sloping_world(int32_t setting, float gravity_x, float gravity_y)
 {
-	cn_world *world = fixture_world(-10.0f, 1);
+	cn_world *world = fixture_world(gravity_y, 1);
 	must(cn_world_set_sleep(world, settings[setting].speed, settings[setting].delay), world, "cn_world_set_sleep");
-	must(cn_world_set_gravity(world, gravity_x, -10.0f), world, "cn_world_set_gravity");
+	must(cn_world_set_gravity(world, gravity_x, gravity_y), world, "cn_world_set_gravity");
 	return world;
 }
+
+static cn_world *slow_world(int32_t setting, float gravity_x) { return sloping_world(setting, gravity_x, -10.0f); }
 
 static int32_t steps_asleep(cn_world *world, cn_body body, int32_t steps)
 {
@@ -58,6 +60,21 @@ static void boxes_slide_on_slopes_a_little_too_steep(void)
 			}
 	CHECK_LE("steps asleep", asleep, 0, "");
 	CHECK_LE("error of the way in 5 s", worst, 0.05, "of it");
+}
+
+static void boxes_slide_where_there_is_little_gravity(void)
+{
+	static const float gravities[] = { 0.4f, 1.0f, 1.6f, 3.7f }, excesses[] = { 0.005f, 0.01f, 0.02f, 0.05f };
+	int32_t asleep = 0, g, e, f;
+	for (g = 0; g < 4; ++g)
+		for (e = 0; e < 4; ++e)
+			for (f = 0; f < 3; ++f) {
+				float friction = 0.3f + 0.25f * (float)f;
+				cn_world *world = sloping_world(2, gravities[g] * friction * (1.0f + excesses[e]), -gravities[g]);
+				asleep += steps_asleep(world, box_on_slope(world, friction), STEPS) > 0;
+				cn_world_destroy(world);
+			}
+	CHECK_LE("boxes asleep on a slope 0.5 to 5% too steep, of 48", asleep, 0, "");
 }
 
 static void boxes_on_slopes_that_hold_them_sleep(void)
@@ -160,6 +177,7 @@ static void what_a_motor_cannot_move_sleeps(void)
 int main(void)
 {
 	RUN(boxes_slide_on_slopes_a_little_too_steep);
+	RUN(boxes_slide_where_there_is_little_gravity);
 	RUN(boxes_on_slopes_that_hold_them_sleep);
 	RUN(rods_that_begin_to_fall_do_not_sleep);
 	RUN(long_pendulums_do_not_sleep_at_their_apex);
