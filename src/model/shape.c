@@ -67,7 +67,7 @@ static int32_t proxy_create(cn_world *world, int32_t shape, int32_t child)
 	p->geometry = s->geometry;
 	p->flags = (uint32_t)child << CNI_PROXY_CHILD_SHIFT | CNI_PROXY_ALIVE | (b->type == CN_BODY_STATIC ? (uint32_t)CNI_PROXY_STATIC : 0u);
 	world->broadphase_ops->add(world->broadphase, id);
-	if (b->type == CN_BODY_STATIC)
+	if (b->type != CN_BODY_DYNAMIC)
 		cni_seams_change(world, &p->fat);
 	return id;
 }
@@ -112,7 +112,7 @@ void cni_shape_unplace(cn_world *world, int32_t shape)
 	cni_contact_destroy_of_shape(world, shape);
 	for (child = 0; child < cni_shape_children(&world->blocks, s); ++child) {
 		int32_t proxy = cni_shape_proxy(world, s, child);
-		if (cni_proxy_at(world, proxy)->flags & CNI_PROXY_STATIC)
+		if (!cni_is_dynamic(world, s->body))
 			cni_seams_change(world, &cni_proxy_at(world, proxy)->fat);
 		world->broadphase_ops->remove(world->broadphase, proxy);
 		proxy_release(world, proxy);
@@ -133,7 +133,7 @@ static void box_refit(cn_world *world, int32_t shape)
 	cni_proxy *p = cni_proxy_at(world, s->box.proxy);
 	cni_aabb tight = cni_geometry_aabb(cni_shape_geometry(&world->blocks, s), 0, cni_body_transform(b));
 	cni_aabb fat = cni_box_fatten(tight, cni_box_margin(world, b->type, &tight));
-	if (b->type == CN_BODY_STATIC) {
+	if (b->type != CN_BODY_DYNAMIC) {
 		cni_seams_change(world, &p->fat);
 		cni_seams_change(world, &fat);
 	}
@@ -190,8 +190,7 @@ void cni_shape_refilter(cn_world *world, int32_t shape)
 	for (child = 0; child < cni_shape_children(&world->blocks, s); ++child) {
 		cni_proxy *p = cni_proxy_at(world, cni_shape_proxy(world, s, child));
 		uint32_t is_static = cni_body_at(world, s->body)->type == CN_BODY_STATIC ? (uint32_t)CNI_PROXY_STATIC : 0u;
-		if ((p->flags & CNI_PROXY_STATIC) || is_static)
-			cni_seams_change(world, &p->fat);
+		cni_seams_change(world, &p->fat);
 		p->flags = (p->flags & ~(uint32_t)CNI_PROXY_STATIC) | is_static;
 		world->broadphase_ops->touch(world->broadphase, cni_shape_proxy(world, s, child));
 	}

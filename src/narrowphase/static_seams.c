@@ -1,6 +1,7 @@
 /*
- * narrowphase/static_seams.c - finds corners of fixed shapes that are hidden between flush faces (collision/seam.h). Searches the
- * box around fixed shapes that were created, moved, changed or destroyed since the last step; without changes it does nothing.
+ * narrowphase/static_seams.c - finds corners that are hidden between flush faces of static shapes, or of shapes of one kinematic body
+ * (collision/seam.h). Searches the box around such shapes that were created, moved by their user, changed or destroyed since the last step;
+ * without changes it does nothing.
  *
  * Reads proxies, shapes, bodies, the broadphase; writes the seams in geometry records.
  */
@@ -29,10 +30,10 @@ static float neighbour_add_seams(void *context, int32_t proxy, float limit)
 	const cni_body *a, *b;
 	const cni_geometry *g;
 	float slop = world->settings.slop;
-	if (proxy == s->proxy || !(p->flags & CNI_PROXY_STATIC))
-		return limit;
 	shape = cni_shape_at(world, p->shape);
 	own_shape = cni_shape_at(world, own->shape);
+	if (proxy == s->proxy || (shape->body != own_shape->body && !(p->flags & own->flags & CNI_PROXY_STATIC)))
+		return limit;
 	g = cni_proxy_geometry(&world->blocks, p);
 	if (!cni_seams_possible(g, slop) || !stop_the_same(shape, own_shape))
 		return limit;
@@ -50,7 +51,7 @@ static float changed_find_seams(void *context, int32_t proxy, float limit)
 	if (cni_is_chain(s.geometry->type))
 		return limit;
 	s.geometry->seams = 0;
-	if ((p->flags & CNI_PROXY_STATIC) && cni_seams_possible(s.geometry, world->settings.slop))
+	if (!cni_is_dynamic(world, cni_shape_at(world, p->shape)->body) && cni_seams_possible(s.geometry, world->settings.slop))
 		world->broadphase_ops->query(world->broadphase, &p->fat, neighbour_add_seams, &s);
 	return limit;
 }

@@ -11,9 +11,9 @@
 #include "fixture.h"
 
 enum { BODY_BOX, BODY_BALL, BODY_CAPSULE, BODY_POLYGON, BODY_KINDS };
-enum { TILE_BOXES_ONE_BODY, TILE_BOXES, TILE_EDGES, TILE_POLYGONS, TILE_KINDS };
+enum { TILE_BOXES_ONE_BODY, TILE_BOXES, TILE_EDGES, TILE_POLYGONS, TILE_BOXES_KINEMATIC, TILE_KINDS };
 static const char *const body_names[] = { "box", "ball", "capsule", "pentagon" };
-static const char *const tile_names[] = { "boxes on one body", "boxes", "edges", "trapezoids" };
+static const char *const tile_names[] = { "boxes on one body", "boxes", "edges", "trapezoids", "boxes on a kinematic body" };
 
 typedef struct ride {
 	int32_t body, tiles;
@@ -32,10 +32,11 @@ static void tile_add(cn_world *world, cn_body *shared, const ride *r, float x, f
 	cn_edge edge;
 	cn_shape_def def;
 	cn_result result;
-	if (r->tiles == TILE_BOXES_ONE_BODY && *shared == 0)
-		*shared = fixture_body(world, CN_BODY_STATIC, 0.0f, 0.0f, r->angle);
-	def = fixture_shape_def(r->tiles == TILE_BOXES_ONE_BODY ? *shared : fixture_body(world, CN_BODY_STATIC, c * x - s * y, s * x + c * y, r->angle), r->friction, 0.0f);
-	if (r->tiles == TILE_BOXES_ONE_BODY) {
+	int32_t one = r->tiles == TILE_BOXES_ONE_BODY || r->tiles == TILE_BOXES_KINEMATIC;
+	if (one && *shared == 0)
+		*shared = fixture_body(world, r->tiles == TILE_BOXES_KINEMATIC ? CN_BODY_KINEMATIC : CN_BODY_STATIC, 0.0f, 0.0f, r->angle);
+	def = fixture_shape_def(one ? *shared : fixture_body(world, CN_BODY_STATIC, c * x - s * y, s * x + c * y, r->angle), r->friction, 0.0f);
+	if (one) {
 		def.offset_m.x = x;
 		def.offset_m.y = y - high;
 		result = cn_shape_create_box(world, &def, half, high, 0.0f, NULL);
