@@ -41,10 +41,6 @@ static void sweep_destroy(cni_broadphase *broadphase)
 {
 	cni_sweep *sweep = sweep_of(broadphase);
 	cni_memory *memory = sweep->context.memory;
-	int32_t tile;
-	for (tile = 0; tile < sweep->tiles.count; ++tile)
-		if (cni_sweep_tile_at(sweep, tile)->level != CNI_SWEEP_FREE)
-			cni_sweep_tile_destroy(sweep, tile);
 	cni_array_deinit(&sweep->tiles, memory);
 	cni_blocks_deinit(&sweep->rows);
 	cni_array_deinit(&sweep->moved, memory);

@@ -22,7 +22,7 @@
  * order, and the pairs lost when memory runs out, are the same as with one thread. A job that finds more pairs than its
  * range holds is run again by one thread, into the list.
  */
-#include "broadphase/sweep_pass.h"
+#include "broadphase/sweep.h"
 
 #include <string.h>
 

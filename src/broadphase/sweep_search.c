@@ -9,7 +9,6 @@
  */
 #define CNI_KERNEL cni_sweep_find_new
 #include "broadphase/sweep_lanes.h"
-#include "broadphase/sweep_pass.h"
 
 cni_sweep_find_new_fn *cni_sweep_find_new_choose(void)
 {
