@@ -35,7 +35,7 @@ static uint32_t lanes_with_hits(const cn_world *world, const cni_block_info *inf
 	return lanes;
 }
 
-/* Numbers the blocks with sums, and counts them. */
+/* Numbers the blocks with sums, clears these where there is memory for them already, and counts the blocks. */
 static int32_t blocks_number(const cn_world *world)
 {
 	int32_t color, block, count = 0;
@@ -43,32 +43,24 @@ static int32_t blocks_number(const cn_world *world)
 		for (block = world->colors[color].first; block != CNI_NONE; block = cni_block_info_at(world, block)->next) {
 			cni_block_info *info = cni_block_info_at(world, block);
 			info->sums = info->flags & CNI_BLOCK_SUMS ? count++ : CNI_NONE;
+			if (info->sums != CNI_NONE && world->sums != NULL) {
+				memset(world->sums + info->sums, 0, sizeof *world->sums);
+				world->sums[info->sums].block = block;
+				world->sums[info->sums].hits = lanes_with_hits(world, info);
+			}
 		}
 	return count;
-}
-
-static void sums_clear(const cn_world *world, cni_block_sums *sums, int32_t block)
-{
-	memset(sums, 0, sizeof *sums);
-	sums->block = block;
-	sums->hits = lanes_with_hits(world, cni_block_info_at(world, block));
 }
 
 /* Where no block has sums, world.sums is NULL. */
 void cni_impulse_sums_make(cn_world *world)
 {
-	int32_t count = blocks_number(world), color, block;
+	int32_t count = blocks_number(world);
 	world->sums_active = count > 0 || world->events.log[CN_EVENT_ENTER].count > 0;
-	if (count == 0)
-		return;
-	world->sums = (cni_block_sums *)cni_scratch_push(world, sizeof(cni_block_sums) * (uint64_t)count);
-	if (world->sums == NULL)
-		return;
-	world->sums_count = count;
-	for (color = 0; color < CNI_COLORS; ++color)
-		for (block = world->colors[color].first; block != CNI_NONE; block = cni_block_info_at(world, block)->next)
-			if (cni_block_info_at(world, block)->sums != CNI_NONE)
-				sums_clear(world, world->sums + cni_block_info_at(world, block)->sums, block);
+	if (count > 0)
+		world->sums = (cni_block_sums *)cni_scratch_push(world, sizeof(cni_block_sums) * (uint64_t)count);
+	if (world->sums != NULL)
+		world->sums_count = blocks_number(world);
 }
 
 /* ---- a substep ---- */
@@ -186,15 +178,21 @@ static void take_range(void *context, int32_t begin, int32_t end)
 	}
 }
 
-/* Adds the impulses of the substep to the ENTER events of contacts without sums. A lane has no anchor in the step of its event. */
-static void enters_add(const cn_world *world)
+/* Adds to the ENTER events: the impulses of a substep for contacts without sums, which have no anchor in the step of their event; or the sums
+   of the step for the others. */
+static void enters_add(cn_world *world, int32_t with_sums)
 {
 	const cni_array *log = &world->events.log[CN_EVENT_ENTER];
 	int32_t k;
 	for (k = 0; k < log->count; ++k) {
 		const cni_contact *c = cni_contact_at(world, ((const cni_event *)log->data)[k].contact);
 		int32_t block = c->slot / CNI_LANES, l = c->slot % CNI_LANES;
-		if (cni_contact_has_lane(c) && cni_block_sums_at(world, block) == NULL) {
+		const cni_block_sums *sums = cni_contact_has_lane(c) ? cni_block_sums_at(world, block) : NULL;
+		if (!cni_contact_has_lane(c) || (sums != NULL) != with_sums)
+			continue;
+		if (sums != NULL) {
+			cni_contact_add_enter_impulses(world, c, sums->normal[l], sums->friction[l]);
+		} else {
 			const cni_contact_block *rows = cni_block_at(world, block);
 			CNI_ASSERT(!(cni_block_info_at(world, block)->anchored >> l & 1u));
 			cni_block_anchor_at(world, block)->c[l] += rows->p[0].jn[l] + rows->p[1].jn[l];
@@ -203,24 +201,11 @@ static void enters_add(const cn_world *world)
 	}
 }
 
-/* Adds the sums of a step to the ENTER events of contacts with sums. */
-static void enters_add_sums(cn_world *world)
-{
-	const cni_array *log = &world->events.log[CN_EVENT_ENTER];
-	int32_t k;
-	for (k = 0; k < log->count && world->sums != NULL; ++k) {
-		const cni_contact *c = cni_contact_at(world, ((const cni_event *)log->data + k)->contact);
-		const cni_block_sums *sums = cni_contact_has_lane(c) ? cni_block_sums_at(world, c->slot / CNI_LANES) : NULL;
-		if (sums != NULL)
-			cni_contact_add_enter_impulses(world, c, sums->normal[c->slot % CNI_LANES], sums->friction[c->slot % CNI_LANES]);
-	}
-}
-
 void cni_impulse_sums_close(cn_world *world, const cni_solve *s)
 {
 	if (!world->sums_active)
 		return;
-	enters_add(world);
+	enters_add(world, 0);
 	sums_run(world, s, take_range);
 }
 
@@ -242,7 +227,7 @@ void cni_impulse_sums_report(cn_world *world)
 	int32_t k, l;
 	if (!world->sums_active)
 		return;
-	enters_add_sums(world);
+	enters_add(world, 1);
 	for (k = 0; k < world->sums_count; ++k)
 		for (l = 0; l < CNI_LANES; ++l)
 			lane_report(world, world->sums + k, l);

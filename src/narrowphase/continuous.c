@@ -2,7 +2,7 @@
  * narrowphase/continuous.c - continuous collision: the last guard against tunnelling (part of stage 8).
  *
  * Speculative contacts of the narrowphase stop most fast bodies. Bodies that became fast within the step remain, and bodies that
- * others press deep into static ones (deep_bodies.c). Before such a body
+ * others press deep into static ones. Before such a body
  * moves, or any by more than a quarter of its inner radius, the core of each of its shapes (the shape shrunk by half its inner radius)
  * is swept along the body's path against the static shapes there (for bullets: against all shapes, each on its own path). At the
  * time of impact the body gives up the rest of its path for this step; so does a dynamic body that a bullet hits. At a static shape it gives
@@ -454,6 +454,45 @@ static int32_t path_is_inside_boxes(const cn_world *world, const cni_body *b, co
 	return 1;
 }
 
+/* Overlap at the beginning of the step. Rows of missing points are 0. */
+static float lane_depth(const cni_contact_block *k, int32_t l)
+{
+	return -cni_min(k->p[0].s0[l], k->p[1].s0[l]);
+}
+
+/* Body a of the lane is the movable one. */
+static void lane_mark(cn_world *world, const cni_contact_block *k, int32_t l)
+{
+	int32_t index = k->ia[l];
+	if (lane_depth(k, l) > CNI_CORE_NEAR_PART * cni_body_at(world, cni_awake_ids(world)[index])->core)
+		cni_externals(world)[index].flags |= CNI_EXTERNAL_DEFERRED;
+}
+
+/* least: smaller overlaps, which bodies at rest have, are skipped without reading records. */
+static void block_mark(cn_world *world, const cni_contact_block *k, int32_t lanes, float least)
+{
+	const cni_motion *motions = cni_motions(world);
+	int32_t l;
+	for (l = 0; l < lanes; ++l)
+		if (lane_depth(k, l) > least && !(motions[k->ib[l]].inv_mass > 0.0f))
+			lane_mark(world, k, l);
+}
+
+/*
+ * Marks slow bodies that are pressed deep into something immovable. Neighbours or a kinematic body can press a body through a wall with
+ * many steps of less than a quarter of its inner radius. One that overlaps by at most that much keeps its core clear for one more step.
+ */
+static void deep_bodies_mark(cn_world *world)
+{
+	float least = CNI_CORE_NEAR_PART * world->settings.slop;
+	int32_t color, block, left;
+	for (color = CNI_COLOR_STATIC; color < CNI_COLORS; ++color)
+		for (left = world->colors[color].lanes, block = world->colors[color].first; left > 0; left -= CNI_LANES) {
+			block_mark(world, cni_block_at(world, block), cni_min_i(left, CNI_LANES), least);
+			block = cni_block_info_at(world, block)->next;
+		}
+}
+
 typedef struct check_loop {
 	cn_world *world;
 	int32_t without_boxes; /* the boxes were not made for these paths */
@@ -524,7 +563,7 @@ static void bullets_check(cn_world *world)
 void cni_stage_continuous(cn_world *world)
 {
 	check_loop loop = { world, world->settings.solver == CN_SOLVER_SEQUENTIAL, 0 };
-	cni_deep_bodies_mark(world);
+	deep_bodies_mark(world);
 	cni_team_for(world->filter != NULL ? NULL : world->team, world->awake_count - 1, BODIES_A_RANGE, check_range, &loop);
 	if (loop.bullets > 0)
 		bullets_check(world);

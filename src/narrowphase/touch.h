@@ -79,9 +79,6 @@ void cni_touch_finish(const cn_world *world, float dt, cni_touch *out);
 /* One-way platforms: a shape that first touches from below or from the side passes through until it no longer touches. */
 void cni_touch_filter_one_way(const cn_world *world, cni_contact *c, cni_manifold *m);
 
-/* Marks bodies whose core may reach what they touch in one slow step: sets CNI_EXTERNAL_DEFERRED (deep_bodies.c). */
-void cni_deep_bodies_mark(cn_world *world);
-
 /* Manifold reuse, the first part of stage 3: updates lanes whose bodies have moved little against each other. Writes the contacts of all
    other lanes to remaining, which has room for every lane, and returns their number. dt 0: updates none. */
 int32_t cni_manifolds_reuse(cn_world *world, float dt, int32_t *remaining);
