@@ -11,7 +11,7 @@
  * grandchild can always move up, and one rotation repairs the imbalance of one insertion or removal (heights after
  * Adelson-Velsky and Landis, 1962, with a wider tolerance).
  */
-#include "broadphase/tree_parts.h"
+#include "broadphase/tree.h"
 
 #include <string.h>
 

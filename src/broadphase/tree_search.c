@@ -7,7 +7,7 @@
  * subtree of moved items is searched twice for it.
  */
 #include "broadphase/ray.h"
-#include "broadphase/tree_parts.h"
+#include "broadphase/tree.h"
 
 /* ---- regions ---- */
 

@@ -8,7 +8,7 @@
  * rebuild is cheaper once the cost or the size of the tree has grown: top down, splitting the items at the median of
  * their centres along the longer side (Kay and Kajiya, "Ray tracing complex scenes", 1986).
  */
-#include "broadphase/tree_parts.h"
+#include "broadphase/tree.h"
 
 #include <string.h>
 

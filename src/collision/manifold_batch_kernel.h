@@ -365,19 +365,17 @@ CNI_INLINE corners corners_find(const skeleton *a, const skeleton *b, const clip
 	return f;
 }
 
-CNI_INLINE void store_where(cni_mask m, float *p, cni_wide x) { cni_wide_store(p, cni_wide_select(m, x, cni_wide_load(p))); }
-
 /* Overwrites the stored point with the corners' point in some lanes. */
 CNI_INLINE void corners_store(cni_manifold_batch *k, int32_t l, const corners *f, cni_mask where)
 {
 	cni_wide ra = cni_wide_load(k->radius_a + l), separation = f->distance - ra - cni_wide_load(k->radius_b + l);
 	cni_wide shift = ra + cni_wide_of(0.5f) * separation;
 	cni_batch_point *p = &k->point[0];
-	store_where(where, k->nx + l, f->normal.x);
-	store_where(where, k->ny + l, f->normal.y);
-	store_where(where, p->x + l, f->at.point_a.x + shift * f->normal.x);
-	store_where(where, p->y + l, f->at.point_a.y + shift * f->normal.y);
-	store_where(where, p->separation + l, separation);
+	cni_wide_store_where(k->nx + l, where, f->normal.x);
+	cni_wide_store_where(k->ny + l, where, f->normal.y);
+	cni_wide_store_where(p->x + l, where, f->at.point_a.x + shift * f->normal.x);
+	cni_wide_store_where(p->y + l, where, f->at.point_a.y + shift * f->normal.y);
+	cni_wide_store_where(p->separation + l, where, separation);
 	mask_store(p->id + l, choose_i(where, id_of(f->a, f->b), mask_load(p->id + l)));
 }
 

@@ -178,21 +178,15 @@ static void take_range(void *context, int32_t begin, int32_t end)
 	}
 }
 
-/* Adds to the ENTER events: the impulses of a substep for contacts without sums, which have no anchor in the step of their event; or the sums
-   of the step for the others. */
-static void enters_add(cn_world *world, int32_t with_sums)
+/* Adds the impulses of the substep to the ENTER events of contacts without sums. A lane has no anchor in the step of its event. */
+static void enters_add(const cn_world *world)
 {
 	const cni_array *log = &world->events.log[CN_EVENT_ENTER];
 	int32_t k;
 	for (k = 0; k < log->count; ++k) {
 		const cni_contact *c = cni_contact_at(world, ((const cni_event *)log->data)[k].contact);
 		int32_t block = c->slot / CNI_LANES, l = c->slot % CNI_LANES;
-		const cni_block_sums *sums = cni_contact_has_lane(c) ? cni_block_sums_at(world, block) : NULL;
-		if (!cni_contact_has_lane(c) || (sums != NULL) != with_sums)
-			continue;
-		if (sums != NULL) {
-			cni_contact_add_enter_impulses(world, c, sums->normal[l], sums->friction[l]);
-		} else {
+		if (cni_contact_has_lane(c) && cni_block_sums_at(world, block) == NULL) {
 			const cni_contact_block *rows = cni_block_at(world, block);
 			CNI_ASSERT(!(cni_block_info_at(world, block)->anchored >> l & 1u));
 			cni_block_anchor_at(world, block)->c[l] += rows->p[0].jn[l] + rows->p[1].jn[l];
@@ -201,11 +195,24 @@ static void enters_add(cn_world *world, int32_t with_sums)
 	}
 }
 
+/* Adds the sums of a step to the ENTER events of contacts with sums. */
+static void enters_add_sums(cn_world *world)
+{
+	const cni_array *log = &world->events.log[CN_EVENT_ENTER];
+	int32_t k;
+	for (k = 0; k < log->count && world->sums != NULL; ++k) {
+		const cni_contact *c = cni_contact_at(world, ((const cni_event *)log->data + k)->contact);
+		const cni_block_sums *sums = cni_contact_has_lane(c) ? cni_block_sums_at(world, c->slot / CNI_LANES) : NULL;
+		if (sums != NULL)
+			cni_contact_add_enter_impulses(world, c, sums->normal[c->slot % CNI_LANES], sums->friction[c->slot % CNI_LANES]);
+	}
+}
+
 void cni_impulse_sums_close(cn_world *world, const cni_solve *s)
 {
 	if (!world->sums_active)
 		return;
-	enters_add(world, 0);
+	enters_add(world);
 	sums_run(world, s, take_range);
 }
 
@@ -227,7 +234,7 @@ void cni_impulse_sums_report(cn_world *world)
 	int32_t k, l;
 	if (!world->sums_active)
 		return;
-	enters_add(world, 1);
+	enters_add_sums(world);
 	for (k = 0; k < world->sums_count; ++k)
 		for (l = 0; l < CNI_LANES; ++l)
 			lane_report(world, world->sums + k, l);

@@ -22,7 +22,9 @@
  */
 #include "narrowphase/narrowphase.h"
 #include "narrowphase/touch.h"
+#include "base/bitset.h"
 #include "collision/distance.h"
+#include "contacts/deep_lanes.h"
 
 #include <float.h>
 #include <string.h>
@@ -454,42 +456,25 @@ static int32_t path_is_inside_boxes(const cn_world *world, const cni_body *b, co
 	return 1;
 }
 
-/* Overlap at the beginning of the step. Rows of missing points are 0. */
-static float lane_depth(const cni_contact_block *k, int32_t l)
-{
-	return -cni_min(k->p[0].s0[l], k->p[1].s0[l]);
-}
-
-/* Body a of the lane is the movable one. */
-static void lane_mark(cn_world *world, const cni_contact_block *k, int32_t l)
-{
-	int32_t index = k->ia[l];
-	if (lane_depth(k, l) > CNI_CORE_NEAR_PART * cni_body_at(world, cni_awake_ids(world)[index])->core)
-		cni_externals(world)[index].flags |= CNI_EXTERNAL_DEFERRED;
-}
-
-/* least: smaller overlaps, which bodies at rest have, are skipped without reading records. */
-static void block_mark(cn_world *world, const cni_contact_block *k, int32_t lanes, float least)
-{
-	const cni_motion *motions = cni_motions(world);
-	int32_t l;
-	for (l = 0; l < lanes; ++l)
-		if (lane_depth(k, l) > least && !(motions[k->ib[l]].inv_mass > 0.0f))
-			lane_mark(world, k, l);
-}
-
 /*
  * Marks slow bodies that are pressed deep into something immovable. Neighbours or a kinematic body can press a body through a wall with
- * many steps of less than a quarter of its inner radius. One that overlaps by at most that much keeps its core clear for one more step.
+ * many steps of less than a quarter of its inner radius. One that overlaps by at most that much keeps its core clear for one more step;
+ * smaller overlaps, which bodies at rest have, are skipped without reading records. Body a of a lane is the movable one.
  */
 static void deep_bodies_mark(cn_world *world)
 {
-	float least = CNI_CORE_NEAR_PART * world->settings.slop;
-	int32_t color, block, left;
+	const cni_motion *motions = cni_motions(world);
+	int32_t color, block;
+	uint32_t deep;
 	for (color = CNI_COLOR_STATIC; color < CNI_COLORS; ++color)
-		for (left = world->colors[color].lanes, block = world->colors[color].first; left > 0; left -= CNI_LANES) {
-			block_mark(world, cni_block_at(world, block), cni_min_i(left, CNI_LANES), least);
-			block = cni_block_info_at(world, block)->next;
+		for (block = world->colors[color].first; block != CNI_NONE; block = cni_block_info_at(world, block)->next) {
+			const cni_contact_block *k = cni_block_at(world, block);
+			for (deep = cni_deep_lanes(k, CNI_CORE_NEAR_PART * world->settings.slop); deep != 0; deep &= deep - 1u) {
+				int32_t l = cni_bit_lowest32(deep), index = k->ia[l];
+				float core = cni_body_at(world, cni_awake_ids(world)[index])->core;
+				if (!(motions[k->ib[l]].inv_mass > 0.0f) && -cni_min(k->p[0].s0[l], k->p[1].s0[l]) > CNI_CORE_NEAR_PART * core)
+					cni_externals(world)[index].flags |= CNI_EXTERNAL_DEFERRED;
+			}
 		}
 }
 

@@ -69,7 +69,7 @@ static inline cni_path cni_body_path(const cni_body *b, cni_vec2 from, cni_vec2 
 	return p;
 }
 
-/* 1: the boxes overlap, and a direction separates the shapes throughout the step: apart.c. */
+/* 1: the boxes overlap, and a direction separates the shapes throughout the step: cull.c. */
 int32_t cni_pair_stays_apart(const cn_world *world, const cni_touch_pair *p, float dt);
 /* Returns 0 where the manifold is empty: the fat boxes are apart. A pair whose boxes are apart ends even if it moves
    fast, or the broadphase would find it twice. */
