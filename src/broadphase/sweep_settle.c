@@ -375,23 +375,19 @@ static void finish_tiles(settle_pass *pass)
 
 static int32_t settle_together(cni_sweep *sweep, cni_team *team)
 {
-	settle_pass pass;
 	/* Bound of the tiles that change: a home for each loose proxy, plus each proxy's present tile, at most all tiles. */
 	uint64_t touched = (uint64_t)sweep->loose_count + (uint64_t)cni_min_i(sweep->loose_count, sweep->tile_count);
-	void *scratch = cni_arena_push(sweep->context.arena, sizeof(int32_t) * ((uint64_t)sweep->loose_count + 2 * touched));
-	if (scratch == NULL)
+	int32_t *homes = (int32_t *)cni_arena_push(sweep->context.arena, sizeof(int32_t) * ((uint64_t)sweep->loose_count + 2 * touched));
+	settle_pass pass = { sweep, sweep->loose_count < SHARED_LEAST ? NULL : team, homes, NULL, 0, NULL };
+	if (homes == NULL)
 		return 0;
-	memset(&pass, 0, sizeof(pass));
-	pass.sweep = sweep;
-	pass.team = sweep->loose_count < SHARED_LEAST ? NULL : team;
-	pass.homes = (int32_t *)scratch;
-	pass.touched = pass.homes + sweep->loose_count;
+	pass.touched = homes + sweep->loose_count;
 	pass.extents = (float *)(void *)(pass.touched + touched);
 	find_homes(&pass);
 	choose_dense(&pass);
 	migrate(&pass);
 	finish_tiles(&pass);
-	(void)cni_arena_pop(sweep->context.arena, scratch);
+	(void)cni_arena_pop(sweep->context.arena, homes);
 	return 1;
 }
 

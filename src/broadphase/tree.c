@@ -195,10 +195,7 @@ void cni_tree_rotate(cni_tree *tree, int32_t node)
 {
 	const cni_tree_node *f = cni_tree_node_at(tree, node);
 	int32_t height = cni_tree_node_of(tree, f->parent)->height[f->parent & 1];
-	tree_rotation best;
-	best.down = best.up = CNI_NONE;
-	best.gain = 0.0f;
-	best.needed = height_difference(f->height[0], f->height[1]) > CNI_TREE_LEAN;
+	tree_rotation best = { CNI_NONE, CNI_NONE, 0.0f, height_difference(f->height[0], f->height[1]) > CNI_TREE_LEAN };
 	if (!best.needed || f->height[0] < f->height[1])
 		rotation_consider(tree, node, 0, height, &best);
 	if (!best.needed || f->height[1] < f->height[0])

@@ -150,10 +150,7 @@ CNI_INLINE face best_face(const skeleton *reference, const skeleton *other, cni_
 
 CNI_INLINE face face_select(cni_mask m, face a, face b)
 {
-	face f;
-	f.separation = cni_wide_select(m, a.separation, b.separation);
-	f.edge = choose_i(m, a.edge, b.edge);
-	f.of_b = choose_i(m, a.of_b, b.of_b);
+	face f = { cni_wide_select(m, a.separation, b.separation), choose_i(m, a.edge, b.edge), choose_i(m, a.of_b, b.of_b) };
 	return f;
 }
 

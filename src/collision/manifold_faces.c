@@ -247,11 +247,7 @@ static cni_closest closest_features(const cni_faces *a, const cni_faces *b, cons
 	const int32_t *vb = of_b ? c->reference : c->incident;
 	cni_segment_distance s = cni_segment_to_segment(a->points[va[0]], a->points[va[1]], b->points[vb[0]], b->points[vb[1]]);
 	if (s.distance_sq > 0.0f) {
-		cni_closest guess;
-		guess.point_a = s.point_a;
-		guess.point_b = s.point_b;
-		guess.distance = cni_sqrt(s.distance_sq);
-		guess.normal = cni_normalize(cni_sub(s.point_b, s.point_a));
+		cni_closest guess = { s.point_a, s.point_b, cni_normalize(cni_sub(s.point_b, s.point_a)), cni_sqrt(s.distance_sq), { 0, 0 }, { 0, 0 } };
 		ends_set(guess.index_a, s.fraction_a, va[0], va[1]);
 		ends_set(guess.index_b, s.fraction_b, vb[0], vb[1]);
 		if (guess.distance > CNI_TOUCH_PER_SLOP * slop && closest_holds(a, b, &guess, 0.01f * slop))

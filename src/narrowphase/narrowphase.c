@@ -20,7 +20,6 @@
 #include "base/cpu.h"
 #include "collision/distance.h"
 #include "collision/manifold_batch.h"
-#include "narrowphase/begun.h"
 #include "narrowphase/cull.h"
 
 #include <string.h>

@@ -1,11 +1,11 @@
 /*
- * narrowphase/static_seams.c - finds corners of fixed shapes that are hidden between flush faces (collision/seam.h). Searches the
+ * narrowphase/static_seams.c - finds corners of fixed shapes that are hidden between flush faces (collision/seam.c). Searches the
  * box around fixed shapes that were created, moved, changed or destroyed since the last step; without changes it does nothing.
  *
  * Reads proxies, shapes, bodies, the broadphase; writes the seams in geometry records.
  */
 #include "narrowphase/touch.h"
-#include "collision/seam.h"
+#include "collision/manifold.h"
 
 typedef struct seam_search {
 	cn_world *world;
