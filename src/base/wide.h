@@ -118,6 +118,8 @@ CNI_INLINE cni_mask cni_mask_of_zero(const int32_t *p) { return *(const cni_mask
 
 #endif
 
+CNI_INLINE void cni_wide_store_where(float *p, cni_mask where, cni_wide a) { cni_wide_store(p, cni_wide_select(where, a, cni_wide_load(p))); }
+
 /* Clears the sign bit. */
 CNI_INLINE cni_wide cni_wide_abs(cni_wide a) { return cni_wide_max(a, -a); }
 

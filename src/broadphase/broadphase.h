@@ -13,7 +13,7 @@
  *
  * Crowds: n boxes in one spot are n^2 / 2 pairs. If there are more new pairs than CNI_PAIRS_LEAST + CNI_PAIRS_PER_PROXY per
  * proxy, update leaves out pairs of the most crowded proxies, the same ones with any implementation and any number of workers:
- * pair_list.h says which.
+ * pair_list.c says which.
  */
 #ifndef CNI_BROADPHASE_BROADPHASE_H
 #define CNI_BROADPHASE_BROADPHASE_H
@@ -30,13 +30,20 @@ typedef int32_t cni_pair_filter_fn(const void *context, int32_t proxy_a, int32_t
    any other value continues. */
 typedef float cni_query_fn(void *context, int32_t proxy, float limit);
 
+enum {
+	CNI_PAIRS_MODE_LIST,    /* all pairs */
+	CNI_PAIRS_MODE_STOPPED, /* a crowd: this search need not go on */
+	CNI_PAIRS_MODE_COUNT,   /* counts the pairs of each proxy */
+	CNI_PAIRS_MODE_THIN     /* lists a share of the pairs of crowded proxies */
+};
+
 typedef struct cni_broadphase_pairs {
 	cni_array list;        /* cni_pair, sorted by (a, b), each once */
 	int32_t pairs_lost;
 	int32_t culled;        /* 1: the list has been culled by `wanted`, and only wanted pairs are added */
 	int32_t left_out;      /* pairs left out because of a crowd; the filters may refuse some of them */
 	int32_t left_out_fixed; /* 1: among them are pairs with a fixed proxy */
-	int32_t mode;          /* of the running search: CNI_PAIRS_MODE_ of pair_list.h */
+	int32_t mode;          /* of the running search: CNI_PAIRS_MODE_ */
 	uint32_t seed;         /* set by the caller: another one leaves out other pairs */
 	int32_t limit;         /* new pairs beyond which there is a crowd */
 	int32_t *degrees;      /* scratch in a crowd: two per proxy id, with other and with fixed proxies: counts, then thresholds */
@@ -58,8 +65,24 @@ static inline int32_t cni_pairs_limit(int32_t proxies)
 	return (int32_t)cni_min_i(proxies, (INT32_MAX - CNI_PAIRS_LEAST) / CNI_PAIRS_PER_PROXY) * CNI_PAIRS_PER_PROXY + CNI_PAIRS_LEAST;
 }
 
+/* ---- the list, which every broadphase fills (pair_list.c) */
+
+/* Empties the list and clears its counters. */
+void cni_pairs_begin(cni_broadphase_pairs *pairs, int32_t proxies);
+/* After a search: 1 when there must be another one, which the new mode says. ids: all proxies' ids are below. */
+int32_t cni_pairs_search_again(cni_broadphase_pairs *pairs, cni_arena *arena, int32_t ids);
+/* What a search that found a new pair of boxes asks before the filters, unless the mode is _LIST: 1 when the pair is to be filtered and
+   added. Marks a proxy of a pair that is left out. */
+int32_t cni_pairs_crowd_takes(cni_broadphase_pairs *pairs, int32_t a, int32_t b, cni_proxy *pa, cni_proxy *pb);
+/* Appends the pair. Without memory the pair is counted as lost, and `moved` (a moved proxy of the pair) is flagged
+   CNI_PROXY_AGAIN. */
+void cni_pairs_add(cni_broadphase_pairs *pairs, cni_memory *memory, int32_t a, int32_t b, cni_proxy *moved);
+/* Sorts by (a, b). */
+void cni_pairs_sort(cni_broadphase_pairs *pairs, cni_arena *arena);
 /* Removes unwanted pairs unless that was done before; from then on cni_pairs_add refuses unwanted pairs. */
 void cni_pairs_cull(cni_broadphase_pairs *pairs);
+
+/* ---- the interface */
 
 typedef struct cni_broadphase_context {
 	cni_memory *memory;    /* for data that lives across steps */

@@ -8,8 +8,8 @@
  * Static and dynamic proxies share the tree: its marks keep unmoved proxies out of the pair search, which is all that a
  * separate static tree would save. reserve takes all memory, so that no proxy ever waits for it.
  */
+#include "broadphase/broadphase.h"
 #include "broadphase/tree.h"
-#include "broadphase/pair_list.h"
 
 #include <string.h>
 

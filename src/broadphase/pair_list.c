@@ -1,11 +1,23 @@
 /*
  * broadphase/pair_list.c - owns the list of new pairs: appends in any order, sorts at the end, and counts pairs that
  * found no memory (see broadphase/broadphase.h).
+ *
+ * A search that finds more pairs than the limit has met a crowd and ends early. A second search counts each proxy's pairs, with
+ * fixed and with other proxies apart; a third one makes the list. Each pair has a random number in [0, 1), a hash of its proxies
+ * and the seed. Each proxy has a threshold 2^-k with the least k by which a right shift of its count gives CROWD_DEGREE at
+ * most. A pair is listed when its number is below the threshold of one of its proxies. So bodies outside of the crowd miss no
+ * pair, and proxies in the crowd have some eight to sixteen. For a pair with a fixed proxy, the other one's count of fixed
+ * proxies decides, and a proxy keeps all of up to CROWD_DEGREE_FIXED: a crowd neither falls through the ground nor through a
+ * crusher, and yet a thousand fixed shapes in the same spot take bounded memory.
+ * Counts, numbers and so the list do not depend on the order of searching.
  */
-#include "broadphase/pair_list.h"
+#include "broadphase/broadphase.h"
 #include "base/sort.h"
 
 #include <string.h>
+
+#define CROWD_DEGREE 16
+#define CROWD_DEGREE_FIXED 256
 
 void cni_pairs_begin(cni_broadphase_pairs *pairs, int32_t proxies)
 {
@@ -45,7 +57,7 @@ int32_t cni_pairs_search_again(cni_broadphase_pairs *pairs, cni_arena *arena, in
 	if (pairs->mode == CNI_PAIRS_MODE_COUNT) {
 		pairs->mode = CNI_PAIRS_MODE_THIN;
 		for (k = 0; k < 2 * ids; ++k)
-			pairs->degrees[k] = degree_shift(pairs->degrees[k], k % 2 ? CNI_CROWD_DEGREE_FIXED : CNI_CROWD_DEGREE);
+			pairs->degrees[k] = degree_shift(pairs->degrees[k], k % 2 ? CROWD_DEGREE_FIXED : CROWD_DEGREE);
 		return 1;
 	}
 	if (pairs->mode != CNI_PAIRS_MODE_STOPPED)

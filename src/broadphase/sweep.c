@@ -41,10 +41,6 @@ static void sweep_destroy(cni_broadphase *broadphase)
 {
 	cni_sweep *sweep = sweep_of(broadphase);
 	cni_memory *memory = sweep->context.memory;
-	int32_t tile;
-	for (tile = 0; tile < sweep->tiles.count; ++tile)
-		if (cni_sweep_tile_at(sweep, tile)->level != CNI_SWEEP_FREE)
-			cni_sweep_tile_destroy(sweep, tile);
 	cni_array_deinit(&sweep->tiles, memory);
 	cni_blocks_deinit(&sweep->rows);
 	cni_array_deinit(&sweep->moved, memory);
@@ -195,42 +191,37 @@ static uint64_t sweep_bytes_needed(int32_t capacity)
 
 /* ---- checks ---- */
 
-static int32_t entries_hold(const cni_sweep *sweep, int32_t tile)
+static int32_t entry_holds(const cni_sweep *sweep, int32_t tile, const cni_sweep_rows *rows, int32_t k)
 {
 	const cni_sweep_tile *t = cni_sweep_tile_at(sweep, tile);
-	cni_sweep_rows rows = cni_sweep_rows_of(sweep, t);
-	int32_t k;
-	for (k = 0; k < t->count; ++k) {
-		const cni_proxy *proxy = cni_sweep_proxy(sweep, rows.id[k]);
-		cni_aabb box = cni_sweep_box_at(&rows, k);
-		if (proxy->cell != tile || !cni_aabb_contains(&t->bounds, &box) || box.x1 - box.x0 > t->reach ||
-		    cni_sweep_extent(&box) > sweep->levels[t->level].reach)
-			return 0;
-		if (k > 0 && !(rows.x0[k - 1] < rows.x0[k] || (rows.x0[k - 1] == rows.x0[k] && rows.id[k - 1] < rows.id[k])))
-			return 0;
-		if (!cni_bit_get(cni_sweep_loose(sweep), rows.id[k]) && memcmp(&box, &proxy->fat, sizeof(box)) != 0)
-			return 0;
-		if (!(t->level == CNI_SWEEP_LEVELS - 1 || cni_sweep_extent(&box) < sweep->levels[t->level].size) ||
-		    cni_sweep_cell_x(&sweep->levels[t->level], box.x0) != t->tx ||
-		    cni_sweep_cell_y(&sweep->levels[t->level], box.y0) != t->ty)
-			return 0;
-	}
-	for (; k < t->capacity && (k & (CNI_SWEEP_LANES - 1)) != 0; ++k)
-		if (!(rows.x0[k] > FLT_MAX))
-			return 0;
-	return 1;
+	const cni_sweep_level *level = &sweep->levels[t->level];
+	const cni_proxy *proxy = cni_sweep_proxy(sweep, rows->id[k]);
+	cni_aabb box = cni_sweep_box_at(rows, k);
+	if (k > 0 && !(rows->x0[k - 1] < rows->x0[k] || (rows->x0[k - 1] == rows->x0[k] && rows->id[k - 1] < rows->id[k])))
+		return 0;
+	if (!cni_bit_get(cni_sweep_loose(sweep), rows->id[k]) && memcmp(&box, &proxy->fat, sizeof(box)) != 0)
+		return 0;
+	return proxy->cell == tile && cni_aabb_contains(&t->bounds, &box) && !(box.x1 - box.x0 > t->reach) &&
+	       !(cni_sweep_extent(&box) > level->reach) && (t->level == CNI_SWEEP_LEVELS - 1 || cni_sweep_extent(&box) < level->size) &&
+	       cni_sweep_cell_x(level, box.x0) == t->tx && cni_sweep_cell_y(level, box.y0) == t->ty;
 }
 
 static int32_t tile_holds(const cni_sweep *sweep, int32_t tile)
 {
 	const cni_sweep_tile *t = cni_sweep_tile_at(sweep, tile);
 	const cni_sweep_level *level = &sweep->levels[t->level];
+	cni_sweep_rows rows = cni_sweep_rows_of(sweep, t);
+	int32_t k;
 	if (t->count <= 0 || t->count > t->capacity || t->touched != 0 || t->dense ||
 	    cni_sweep_tile_find(sweep, t->level, t->tx, t->ty) != tile || !(sweep->level_mask >> t->level & 1u))
 		return 0;
-	if (t->tx < level->tx0 || t->tx > level->tx1 || t->ty < level->ty0 || t->ty > level->ty1)
-		return 0;
-	return entries_hold(sweep, tile);
+	for (k = 0; k < t->count; ++k)
+		if (!entry_holds(sweep, tile, &rows, k))
+			return 0;
+	for (; k < t->capacity && (k & (CNI_SWEEP_LANES - 1)) != 0; ++k)
+		if (!(rows.x0[k] > FLT_MAX))
+			return 0;
+	return t->tx >= level->tx0 && t->tx <= level->tx1 && t->ty >= level->ty0 && t->ty <= level->ty1;
 }
 
 static int32_t tiles_hold(const cni_sweep *sweep, int32_t *entries)

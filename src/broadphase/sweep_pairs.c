@@ -22,7 +22,7 @@
  * order, and the pairs lost when memory runs out, are the same as with one thread. A job that finds more pairs than its
  * range holds is run again by one thread, into the list.
  */
-#include "broadphase/sweep_pass.h"
+#include "broadphase/sweep.h"
 
 #include <string.h>
 
@@ -297,13 +297,7 @@ static void clear_marks(const cni_sweep_pass *pass)
 void cni_sweep_find_pairs(cni_sweep *sweep, cni_pair_filter_fn *filter, const void *filter_context, cni_broadphase_pairs *out)
 {
 	int32_t touched = cni_min_i(sweep->moved_count, sweep->tile_count);
-	cni_sweep_pass pass;
-	memset(&pass, 0, sizeof(pass));
-	pass.sweep = sweep;
-	pass.filter = filter;
-	pass.filter_context = filter_context;
-	pass.out = out;
-	pass.find_new = cni_sweep_find_new_choose();
+	cni_sweep_pass pass = { sweep, filter, filter_context, out, cni_sweep_find_new_choose(), NULL, 0, 0, 0, 0, 0, 0, 0, NULL, NULL };
 	pass.touched = (int32_t *)cni_arena_push(sweep->context.arena, sizeof(int32_t) * (uint64_t)touched);
 	count_moved(&pass);
 	choose_dense(&pass);

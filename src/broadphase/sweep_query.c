@@ -9,7 +9,6 @@
  * returned. Grid traversal after Amanatides and Woo (1987), by rows instead of cells because tiles overlap their
  * neighbours.
  */
-#include "broadphase/ray.h"
 #include "broadphase/sweep_lanes.h"
 
 /* ---- regions ---- */

@@ -9,7 +9,6 @@
  */
 #define CNI_KERNEL cni_sweep_find_new
 #include "broadphase/sweep_lanes.h"
-#include "broadphase/sweep_pass.h"
 
 cni_sweep_find_new_fn *cni_sweep_find_new_choose(void)
 {
@@ -98,13 +97,8 @@ static inline void scan(cni_sweep_pass *pass, const cni_sweep_probe *q, const cn
 
 static cni_sweep_view view_of(const cni_sweep_pass *pass, const cni_sweep_tile *tile)
 {
-	cni_sweep_view v;
-	v.now = cni_sweep_rows_of(pass->sweep, tile);
-	v.old = tile->dense ? cni_sweep_old_boxes(pass, tile) : v.now;
-	v.count = tile->count;
-	v.wide = tile->capacity >= CNI_SWEEP_LANES;
-	v.reach = tile->reach;
-	v.skip_moved = tile->touched > 0 && !tile->dense;
+	cni_sweep_rows now = cni_sweep_rows_of(pass->sweep, tile), old = tile->dense ? cni_sweep_old_boxes(pass, tile) : now;
+	cni_sweep_view v = { now, old, tile->count, tile->capacity >= CNI_SWEEP_LANES, tile->reach, tile->touched > 0 && !tile->dense };
 	return v;
 }
 

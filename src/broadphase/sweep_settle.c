@@ -36,39 +36,27 @@
 
 /* ---- choosing sizes ---- */
 
-static void drop_entries(cni_sweep *sweep, const cni_sweep_tile *tile)
-{
-	cni_sweep_rows rows = cni_sweep_rows_of(sweep, tile);
-	int32_t k;
-	for (k = 0; k < tile->count; ++k) {
-		cni_sweep_proxy(sweep, rows.id[k])->cell = CNI_NONE;
-		cni_sweep_mark(cni_sweep_loose(sweep), rows.id[k], &sweep->loose_count);
-	}
-}
-
-/* Every proxy is loose afterwards, and there are no tiles. */
+/* Every proxy is loose afterwards, and there are no tiles; the levels are still those of the old ones. */
 static void drop_tiles(cni_sweep *sweep)
 {
-	int32_t tile;
-	for (tile = 0; tile < sweep->tiles.count; ++tile) {
-		cni_sweep_tile *t = cni_sweep_tile_at(sweep, tile);
-		if (t->level == CNI_SWEEP_FREE)
-			continue;
-		if (t->count > 0)
-			drop_entries(sweep, t);
-		cni_sweep_tile_destroy(sweep, tile);
-	}
-	sweep->tiles.count = 0;
+	int32_t tile, k;
+	for (tile = 0; tile < sweep->tiles.count; ++tile)
+		for (k = 0; k < cni_sweep_tile_at(sweep, tile)->count; ++k) {
+			int32_t id = cni_sweep_rows_of(sweep, cni_sweep_tile_at(sweep, tile)).id[k];
+			cni_sweep_proxy(sweep, id)->cell = CNI_NONE;
+			cni_sweep_mark(cni_sweep_loose(sweep), id, &sweep->loose_count);
+		}
+	sweep->tiles.count = sweep->tile_count = 0;
 	sweep->tile_free = CNI_NONE;
+	sweep->level_mask = 0;
+	cni_sweep_slots_fill(sweep);
 	cni_blocks_deinit(&sweep->rows); /* pieces of the old sizes would stay unused */
 }
 
 /* The power of two above x, as an exponent in [-20, 30]. */
 static int32_t exponent_above(float x)
 {
-	uint32_t bits;
-	memcpy(&bits, &x, sizeof(bits));
-	return cni_min_i(cni_max_i((int32_t)(bits >> 23 & 255u) - 126, -20), 30);
+	return cni_min_i(cni_max_i((int32_t)(cni_bits_of(x) >> 23 & 255u) - 126, -20), 30);
 }
 
 /* By exponent; [1]: static boxes. */
@@ -105,8 +93,6 @@ static int32_t measure_exponent(const cni_sweep *sweep)
 	memset(&counts, 0, sizeof(counts));
 	for (tile = 0; tile < sweep->tiles.count; ++tile) {
 		const cni_sweep_tile *t = cni_sweep_tile_at(sweep, tile);
-		if (t->level == CNI_SWEEP_FREE)
-			continue;
 		for (k = 0; k < t->count; ++k)
 			extent_count(&counts, cni_sweep_proxy(sweep, cni_sweep_rows_of(sweep, t).id[k]));
 	}
@@ -389,23 +375,19 @@ static void finish_tiles(settle_pass *pass)
 
 static int32_t settle_together(cni_sweep *sweep, cni_team *team)
 {
-	settle_pass pass;
 	/* Bound of the tiles that change: a home for each loose proxy, plus each proxy's present tile, at most all tiles. */
 	uint64_t touched = (uint64_t)sweep->loose_count + (uint64_t)cni_min_i(sweep->loose_count, sweep->tile_count);
-	void *scratch = cni_arena_push(sweep->context.arena, sizeof(int32_t) * ((uint64_t)sweep->loose_count + 2 * touched));
-	if (scratch == NULL)
+	int32_t *homes = (int32_t *)cni_arena_push(sweep->context.arena, sizeof(int32_t) * ((uint64_t)sweep->loose_count + 2 * touched));
+	settle_pass pass = { sweep, sweep->loose_count < SHARED_LEAST ? NULL : team, homes, NULL, 0, NULL };
+	if (homes == NULL)
 		return 0;
-	memset(&pass, 0, sizeof(pass));
-	pass.sweep = sweep;
-	pass.team = sweep->loose_count < SHARED_LEAST ? NULL : team;
-	pass.homes = (int32_t *)scratch;
-	pass.touched = pass.homes + sweep->loose_count;
+	pass.touched = homes + sweep->loose_count;
 	pass.extents = (float *)(void *)(pass.touched + touched);
 	find_homes(&pass);
 	choose_dense(&pass);
 	migrate(&pass);
 	finish_tiles(&pass);
-	(void)cni_arena_pop(sweep->context.arena, scratch);
+	(void)cni_arena_pop(sweep->context.arena, homes);
 	return 1;
 }
 

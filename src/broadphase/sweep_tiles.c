@@ -314,15 +314,10 @@ void cni_sweep_tile_pad(const cni_sweep *sweep, cni_sweep_tile *tile)
 
 int32_t cni_sweep_entry_bound(const cni_sweep_rows *rows, int32_t count, float x0, int32_t id)
 {
-	int32_t low = 0, left = count;
-	while (left > 0) {
-		int32_t half = (left + 1) / 2;
-		float x = rows->x0[low + half - 1];
-		int32_t before = (x < x0) | ((x == x0) & (rows->id[low + half - 1] < id));
-		low += half & -before;
-		left -= half;
-	}
-	return low;
+	int32_t k = cni_sweep_entry_from(rows->x0, count, x0);
+	while (k < count && rows->x0[k] == x0 && rows->id[k] < id)
+		++k;
+	return k;
 }
 
 /* An entry that is out of date still has the x0 of the last settle, which is nearly always that of the old box. */

@@ -11,7 +11,7 @@
  * grandchild can always move up, and one rotation repairs the imbalance of one insertion or removal (heights after
  * Adelson-Velsky and Landis, 1962, with a wider tolerance).
  */
-#include "broadphase/tree_parts.h"
+#include "broadphase/tree.h"
 
 #include <string.h>
 
@@ -116,27 +116,21 @@ void cni_tree_attach_item(cni_tree *tree, int32_t place, int32_t item, const cni
 	cni_tree_attach(tree, place, ~item);
 }
 
-static void place_copy(cni_tree *tree, int32_t to, int32_t from)
+/* Moves what is on a side of a node, or of a copy of one, to a place. */
+static void place_write(cni_tree *tree, int32_t to, const cni_tree_node *f, int32_t side)
 {
 	cni_tree_node *t = cni_tree_node_of(tree, to);
-	const cni_tree_node *f = cni_tree_node_of(tree, from);
-	t->box[to & 1] = f->box[from & 1];
-	t->height[to & 1] = f->height[from & 1];
-	t->marks[to & 1] = f->marks[from & 1];
-	cni_tree_attach(tree, to, f->child[from & 1]);
+	t->box[to & 1] = f->box[side];
+	t->height[to & 1] = f->height[side];
+	t->marks[to & 1] = f->marks[side];
+	cni_tree_attach(tree, to, f->child[side]);
 }
 
 static void place_swap(cni_tree *tree, int32_t a, int32_t b)
 {
-	cni_tree_node *fa = cni_tree_node_of(tree, a), *fb = cni_tree_node_of(tree, b);
-	cni_aabb box = fa->box[a & 1];
-	uint8_t height = fa->height[a & 1], marks = fa->marks[a & 1];
-	int32_t child = fa->child[a & 1];
-	place_copy(tree, a, b);
-	fb->box[b & 1] = box;
-	fb->height[b & 1] = height;
-	fb->marks[b & 1] = marks;
-	cni_tree_attach(tree, b, child);
+	cni_tree_node before = *cni_tree_node_of(tree, a);
+	place_write(tree, a, cni_tree_node_of(tree, b), b & 1);
+	place_write(tree, b, &before, a & 1);
 }
 
 /* Compares as numbers, not bits: a union may yield either zero. */
@@ -201,10 +195,7 @@ void cni_tree_rotate(cni_tree *tree, int32_t node)
 {
 	const cni_tree_node *f = cni_tree_node_at(tree, node);
 	int32_t height = cni_tree_node_of(tree, f->parent)->height[f->parent & 1];
-	tree_rotation best;
-	best.down = best.up = CNI_NONE;
-	best.gain = 0.0f;
-	best.needed = height_difference(f->height[0], f->height[1]) > CNI_TREE_LEAN;
+	tree_rotation best = { CNI_NONE, CNI_NONE, 0.0f, height_difference(f->height[0], f->height[1]) > CNI_TREE_LEAN };
 	if (!best.needed || f->height[0] < f->height[1])
 		rotation_consider(tree, node, 0, height, &best);
 	if (!best.needed || f->height[1] < f->height[0])
@@ -306,7 +297,7 @@ void cni_tree_insert_marked(cni_tree *tree, int32_t item, const cni_aabb *box, u
 	if (tree->count++ > 0) {
 		place = sibling_find(tree, &clean);
 		node = cni_tree_node_take(tree);
-		place_copy(tree, 2 * node, place);
+		place_write(tree, 2 * node, cni_tree_node_of(tree, place), place & 1);
 		/* The place keeps its old height until repair, which compares with it. */
 		cni_tree_attach(tree, place, node);
 		place = 2 * node + 1;
@@ -331,7 +322,7 @@ void cni_tree_remove(cni_tree *tree, int32_t item)
 		return;
 	}
 	above = cni_tree_node_at(tree, node)->parent;
-	place_copy(tree, above, place ^ 1);
+	place_write(tree, above, cni_tree_node_at(tree, node), 1 - (place & 1));
 	node_give(tree, node);
 	cni_tree_repair(tree, above >> 1);
 }

@@ -6,8 +6,8 @@
  * near in the tree. Of two moved items the one in the left subtree finds the pair, so that each pair is found once and no
  * subtree of moved items is searched twice for it.
  */
-#include "broadphase/ray.h"
-#include "broadphase/tree_parts.h"
+#include "broadphase/proxy.h"
+#include "broadphase/tree.h"
 
 /* ---- regions ---- */
 

@@ -8,7 +8,7 @@
  * rebuild is cheaper once the cost or the size of the tree has grown: top down, splitting the items at the median of
  * their centres along the longer side (Kay and Kajiya, "Ray tracing complex scenes", 1986).
  */
-#include "broadphase/tree_parts.h"
+#include "broadphase/tree.h"
 
 #include <string.h>
 
@@ -114,26 +114,23 @@ static int32_t collect(const cni_tree *tree, tree_leaf *leaves)
 static void build(cni_tree *tree, tree_leaf *leaves, int32_t count)
 {
 	tree_span stack[64];
+	const tree_span whole = { CNI_TREE_ROOT, 0, count };
 	int32_t top = 0, node;
-	stack[top].place = CNI_TREE_ROOT;
-	stack[top].first = 0;
-	stack[top++].count = count;
+	stack[top++] = whole;
 	while (top > 0) {
-		tree_span span = stack[--top];
-		int32_t half = span.count / 2;
+		tree_span span = stack[--top], lower = { 0, span.first, span.count / 2 };
+		tree_span upper = { 0, span.first + lower.count, span.count - lower.count };
 		if (span.count == 1) {
 			cni_tree_attach_item(tree, span.place, leaves[span.first].item, &leaves[span.first].box, leaves[span.first].marks);
 			continue;
 		}
-		split_at(leaves + span.first, span.count, half, longer_axis(leaves + span.first, span.count));
+		split_at(leaves + span.first, span.count, lower.count, longer_axis(leaves + span.first, span.count));
 		node = cni_tree_node_take(tree);
 		cni_tree_attach(tree, span.place, node);
-		stack[top].place = 2 * node + 1;
-		stack[top].first = span.first + half;
-		stack[top++].count = span.count - half;
-		stack[top].place = 2 * node;
-		stack[top].first = span.first;
-		stack[top++].count = half;
+		lower.place = 2 * node;
+		upper.place = 2 * node + 1;
+		stack[top++] = upper;
+		stack[top++] = lower;
 	}
 	for (node = tree->nodes.count - 1; node > 0; --node)
 		(void)cni_tree_refresh(tree, node);

@@ -14,9 +14,9 @@
  */
 #include "collision/cast.h"
 
-static int32_t hit_make(float fraction, cni_vec2 point, cni_vec2 normal, cni_cast_hit *out)
+static int32_t hit_make(float fraction, cni_vec2 point, cni_vec2 normal, float depth, int32_t inside, cni_cast_hit *out)
 {
-	const cni_cast_hit hit = { fraction, point, normal, 0.0f, 0 };
+	const cni_cast_hit hit = { fraction, point, normal, cni_max(depth, 0.0f), inside };
 	*out = hit;
 	return 1;
 }
@@ -39,7 +39,7 @@ static int32_t disc_enter(cni_vec2 center, float radius, cni_vec2 origin, cni_ve
 		return 0;
 	at = cni_max(at, 0.0f);
 	normal = cni_normalize(cni_madd(from, at, direction));
-	return hit_make(cni_min(at / length, 1.0f), cni_madd(center, radius, normal), normal, out);
+	return hit_make(cni_min(at / length, 1.0f), cni_madd(center, radius, normal), normal, 0.0f, 0, out);
 }
 
 /* ------------------------------------------------------------------ convex skeleton */
@@ -81,13 +81,6 @@ static outline outline_nearest(const cni_faces *hull, cni_vec2 origin)
 	return best;
 }
 
-static int32_t inside_make(cni_vec2 on_skeleton, cni_vec2 normal, float radius, float depth, cni_cast_hit *out)
-{
-	const cni_cast_hit hit = { 0.0f, cni_madd(on_skeleton, radius, normal), normal, cni_max(depth, 0.0f), 1 };
-	*out = hit;
-	return 1;
-}
-
 /* An origin within the radius of the outline: the hit at the start; 0 when the origin is not. */
 static int32_t inside_outline(const cni_faces *hull, cni_vec2 origin, cni_cast_hit *out, int32_t *out_feature)
 {
@@ -101,7 +94,7 @@ static int32_t inside_outline(const cni_faces *hull, cni_vec2 origin, cni_cast_h
 		normal = cni_dot(normal, offset) < 0.0f ? cni_neg(normal) : normal;
 	}
 	*out_feature = near.feature;
-	return inside_make(near.point, normal, hull->radius, hull->radius - distance, out);
+	return hit_make(0.0f, cni_madd(near.point, hull->radius, normal), normal, hull->radius - distance, 1, out);
 }
 
 static int32_t nearest_vertex(const cni_faces *hull, cni_vec2 point)
@@ -170,15 +163,16 @@ static int32_t face_enter(const cni_faces *hull, const clip *c, cni_vec2 origin,
 		return vertex_enter(hull, next, origin, translation, out, out_feature);
 	*out_feature = hull->count + c->face;
 	a = cni_madd(a, cni_clamp(at / length_sq, 0.0f, 1.0f), edge);
-	return hit_make(c->enter, cni_madd(a, hull->radius, c->normal), c->normal, out);
+	return hit_make(c->enter, cni_madd(a, hull->radius, c->normal), c->normal, 0.0f, 0, out);
 }
 
 /* An origin inside the skeleton: the way out is through the nearest face. */
 static int32_t inside_skeleton(const cni_faces *hull, const clip *c, cni_vec2 origin, cni_cast_hit *out, int32_t *out_feature)
 {
 	cni_vec2 normal = face_normal(hull, c->face_most);
+	cni_vec2 on_skeleton = cni_madd(origin, -c->height_most, normal);
 	*out_feature = hull->count + c->face_most;
-	return inside_make(cni_madd(origin, -c->height_most, normal), normal, hull->radius, hull->radius - c->height_most, out);
+	return hit_make(0.0f, cni_madd(on_skeleton, hull->radius, normal), normal, hull->radius - c->height_most, 1, out);
 }
 
 int32_t cni_cast_hull_ray(const cni_faces *hull, cni_vec2 origin, cni_vec2 translation, cni_cast_hit *out, int32_t *out_feature)
@@ -218,7 +212,7 @@ static int32_t edge_enter(cni_vec2 a, cni_vec2 b, int32_t one_sided, cni_vec2 or
 	}
 	if (!(speed < 0.0f && height >= 0.0f && height <= -speed))
 		return 0;
-	return hit_make(height / -speed, cni_madd(a, side_a / (side_a - side_b), edge), normal, out);
+	return hit_make(height / -speed, cni_madd(a, side_a / (side_a - side_b), edge), normal, 0.0f, 0, out);
 }
 
 /* ------------------------------------------------------------------ any shape */

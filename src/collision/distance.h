@@ -1,5 +1,6 @@
 /*
- * collision/distance.h - closest points between two convex point sets (GJK) and between two segments in closed form.
+ * collision/distance.h - closest points between two convex point sets (GJK), between two segments in closed form, and of a shape to a
+ * point.
  */
 #ifndef CNI_COLLISION_DISTANCE_H
 #define CNI_COLLISION_DISTANCE_H
@@ -28,5 +29,15 @@ typedef struct cni_segment_distance {
 	float distance_sq;
 } cni_segment_distance;
 cni_segment_distance cni_segment_to_segment(cni_vec2 p1, cni_vec2 q1, cni_vec2 p2, cni_vec2 q2);
+
+typedef struct cni_nearest {
+	float distance;    /* negative: depth inside a shape with area; never for edges and chains */
+	cni_vec2 point;    /* on the surface */
+	cni_vec2 normal;   /* unit, outward; of an edge or chain towards the given point */
+} cni_nearest;
+
+/* All in the shape's own frame. Where no direction is distinguished the normal is the x axis (a circle's centre) or points
+   to the edge's right side (a point on an edge). */
+cni_nearest cni_geometry_nearest(const cni_geometry *g, int32_t child, cni_vec2 local);
 
 #endif

@@ -58,4 +58,22 @@ typedef void cni_manifold_fn(const cni_manifold_input *in, cni_manifold_cache *c
 /* The function for a pair of CN_SHAPE_ types with type_a <= type_b, NULL when the pair never collides. */
 cni_manifold_fn *cni_manifold_function(int32_t type_a, int32_t type_b);
 
+/* ---- seams: flush joints of faces of two static shapes (seam.c) */
+
+/* 1 for polygons and edges with a radius up to the slop: only these can have seams. */
+int32_t cni_seams_possible(const cni_geometry *g, float slop);
+
+/* Bits 2 * face + end of the face ends of g that a face of h continues, and bits of the faces that h covers (seam.c). Seams must be possible for both shapes. */
+uint32_t cni_seams_between(const cni_geometry *g, const cni_geometry *h, cni_transform h_in_g, float slop);
+
+/* Replaces a manifold of a hidden corner by one of the surface, or empties it where the neighbour has the contact. in->a or
+   in->b is static and has seams. motion: displacement of b relative to a in this step, in a's frame. depth: metres that the
+   other shape may reach behind the surface. */
+void cni_seams_mend(const cni_manifold_input *in, cni_vec2 motion, float depth, cni_manifold *m);
+
+static inline uint32_t cni_seams_of(const cni_geometry *g)
+{
+	return cni_is_chain(g->type) ? 0u : g->seams;
+}
+
 #endif

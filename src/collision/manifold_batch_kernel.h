@@ -150,10 +150,7 @@ CNI_INLINE face best_face(const skeleton *reference, const skeleton *other, cni_
 
 CNI_INLINE face face_select(cni_mask m, face a, face b)
 {
-	face f;
-	f.separation = cni_wide_select(m, a.separation, b.separation);
-	f.edge = choose_i(m, a.edge, b.edge);
-	f.of_b = choose_i(m, a.of_b, b.of_b);
+	face f = { cni_wide_select(m, a.separation, b.separation), choose_i(m, a.edge, b.edge), choose_i(m, a.of_b, b.of_b) };
 	return f;
 }
 
@@ -365,19 +362,17 @@ CNI_INLINE corners corners_find(const skeleton *a, const skeleton *b, const clip
 	return f;
 }
 
-CNI_INLINE void store_where(cni_mask m, float *p, cni_wide x) { cni_wide_store(p, cni_wide_select(m, x, cni_wide_load(p))); }
-
 /* Overwrites the stored point with the corners' point in some lanes. */
 CNI_INLINE void corners_store(cni_manifold_batch *k, int32_t l, const corners *f, cni_mask where)
 {
 	cni_wide ra = cni_wide_load(k->radius_a + l), separation = f->distance - ra - cni_wide_load(k->radius_b + l);
 	cni_wide shift = ra + cni_wide_of(0.5f) * separation;
 	cni_batch_point *p = &k->point[0];
-	store_where(where, k->nx + l, f->normal.x);
-	store_where(where, k->ny + l, f->normal.y);
-	store_where(where, p->x + l, f->at.point_a.x + shift * f->normal.x);
-	store_where(where, p->y + l, f->at.point_a.y + shift * f->normal.y);
-	store_where(where, p->separation + l, separation);
+	cni_wide_store_where(k->nx + l, where, f->normal.x);
+	cni_wide_store_where(k->ny + l, where, f->normal.y);
+	cni_wide_store_where(p->x + l, where, f->at.point_a.x + shift * f->normal.x);
+	cni_wide_store_where(p->y + l, where, f->at.point_a.y + shift * f->normal.y);
+	cni_wide_store_where(p->separation + l, where, separation);
 	mask_store(p->id + l, choose_i(where, id_of(f->a, f->b), mask_load(p->id + l)));
 }
 

@@ -107,11 +107,12 @@ static int32_t incident_find(const cni_faces *f, cni_vec2 normal)
 	return edge;
 }
 
-static void clip_make(clip *c, const cni_faces *reference, int32_t edge, const cni_faces *incident)
+static void clip_make(clip *c, const cni_faces *a, const cni_faces *b, cni_axis axis)
 {
-	cni_vec2 n = reference->normals[edge];
+	const cni_faces *reference = axis.of_b ? b : a, *incident = axis.of_b ? a : b;
+	cni_vec2 n = reference->normals[axis.edge];
 	cni_vec2 t = cni_left_perp(n);
-	int32_t end = edge + 1 < reference->count ? edge + 1 : 0;
+	int32_t edge = axis.edge, end = edge + 1 < reference->count ? edge + 1 : 0;
 	cni_vec2 start_point = reference->points[edge];
 	c->normal = n;
 	c->length = cni_dot(t, cni_sub(reference->points[end], start_point));
@@ -184,13 +185,11 @@ static int32_t clip_ends(const clip *c, float touch, contact_end ends[2])
 	if (overlap < 0.0f) {
 		/* The edges miss each other: the nearer end of the incident edge. */
 		int32_t side = c->at[0] > c->length ? 0 : 1;
-		ends[0].point = c->point[side];
-		ends[0].height = c->height[side];
-		ends[0].vertex = side;
+		const contact_end nearer = { c->point[side], c->height[side], side };
+		ends[0] = nearer;
 		return 1;
 	}
-	contact_end low = clip_end(c, 0);
-	contact_end high = clip_end(c, 1);
+	contact_end low = clip_end(c, 0), high = clip_end(c, 1);
 	ends[0] = high.height < low.height ? high : low;
 	return 1;
 }
@@ -248,11 +247,7 @@ static cni_closest closest_features(const cni_faces *a, const cni_faces *b, cons
 	const int32_t *vb = of_b ? c->reference : c->incident;
 	cni_segment_distance s = cni_segment_to_segment(a->points[va[0]], a->points[va[1]], b->points[vb[0]], b->points[vb[1]]);
 	if (s.distance_sq > 0.0f) {
-		cni_closest guess;
-		guess.point_a = s.point_a;
-		guess.point_b = s.point_b;
-		guess.distance = cni_sqrt(s.distance_sq);
-		guess.normal = cni_normalize(cni_sub(s.point_b, s.point_a));
+		cni_closest guess = { s.point_a, s.point_b, cni_normalize(cni_sub(s.point_b, s.point_a)), cni_sqrt(s.distance_sq), { 0, 0 }, { 0, 0 } };
 		ends_set(guess.index_a, s.fraction_a, va[0], va[1]);
 		ends_set(guess.index_b, s.fraction_b, vb[0], vb[1]);
 		if (guess.distance > CNI_TOUCH_PER_SLOP * slop && closest_holds(a, b, &guess, 0.01f * slop))
@@ -300,14 +295,6 @@ static int32_t chain_gate(const cni_chain_edge *chain, const cni_closest *c, int
 
 /* ------------------------------------------------------------------ manifolds */
 
-static void clip_axis(clip *c, const cni_faces *a, const cni_faces *b, cni_axis axis)
-{
-	if (axis.of_b)
-		clip_make(c, b, axis.edge, a);
-	else
-		clip_make(c, a, axis.edge, b);
-}
-
 /* Difference between the separation of the clipped edges and the true distance of the skeletons. */
 static float clip_error(const clip *c, float touch, float distance)
 {
@@ -350,7 +337,7 @@ static void closest_emit(const cni_faces *a, const cni_faces *b, const cni_close
 		axis.edge = closest_face(b, closest->index_b, cni_neg(closest->normal));
 	}
 	if (axis.edge != CNI_NONE) {
-		clip_axis(&c, a, b, axis);
+		clip_make(&c, a, b, axis);
 		if (clip_error(&c, CNI_TOUCH_PER_SLOP * in->slop, closest->distance) <= CNI_TOUCH_PER_SLOP * in->slop) {
 			clip_emit(&c, a, b, axis.of_b, in, out);
 			return;
@@ -364,7 +351,7 @@ void cni_faces_manifold(const cni_faces *a, const cni_faces *b, cni_axis axis, c
 {
 	float touch = CNI_TOUCH_PER_SLOP * in->slop;
 	clip c;
-	clip_axis(&c, a, b, axis);
+	clip_make(&c, a, b, axis);
 	float overlap = clip_overlap(&c);
 	if ((c.height[c.lowest] > touch || overlap < 0.0f) && !clip_is_exact(&c) && !clip_is_near(&c, overlap, touch)) {
 		cni_closest closest = closest_features(a, b, &c, axis.of_b, in->slop);

@@ -56,8 +56,7 @@ static inline uint32_t cni_manifold_id(int32_t feature_a, int32_t feature_b)
 /* ---- the functions of the table in manifold_table.c */
 
 /* manifold_round.c */
-cni_manifold_fn cni_collide_circles;
-cni_manifold_fn cni_collide_circle_segment; /* capsules, edges */
+cni_manifold_fn cni_collide_circle_round; /* circles, capsules, edges */
 cni_manifold_fn cni_collide_circle_polygon;
 /* manifold_faces.c: polygons, capsules, edges */
 cni_manifold_fn cni_collide_polygons;

@@ -39,14 +39,6 @@ static nearest nearest_to_point(cni_vec2 center, cni_vec2 point, cni_vec2 fallba
 	return near;
 }
 
-void cni_collide_circles(const cni_manifold_input *in, cni_manifold_cache *cache, cni_manifold *out)
-{
-	(void)cache;
-	cni_vec2 center = cni_untransform_point(in->b_in_a, cni_geometry_points(in->a)[0]);
-	nearest near = nearest_to_point(center, cni_geometry_points(in->b)[0], cni_v(0.0f, 1.0f), 0);
-	nearest_emit(&near, in, out);
-}
-
 static nearest nearest_on_segment(cni_vec2 center, const cni_geometry *segment)
 {
 	nearest near;
@@ -66,11 +58,11 @@ static nearest nearest_on_segment(cni_vec2 center, const cni_geometry *segment)
 	return near;
 }
 
-void cni_collide_circle_segment(const cni_manifold_input *in, cni_manifold_cache *cache, cni_manifold *out)
+void cni_collide_circle_round(const cni_manifold_input *in, cni_manifold_cache *cache, cni_manifold *out)
 {
 	(void)cache;
 	cni_vec2 center = cni_untransform_point(in->b_in_a, cni_geometry_points(in->a)[0]);
-	nearest near = nearest_on_segment(center, in->b);
+	nearest near = in->b->count > 1 ? nearest_on_segment(center, in->b) : nearest_to_point(center, cni_geometry_points(in->b)[0], cni_v(0.0f, 1.0f), 0);
 	nearest_emit(&near, in, out);
 }
 

@@ -19,7 +19,7 @@
 
 static cni_manifold_fn *const functions[TYPES][TYPES] = {
 	/* b: circle, capsule, polygon, edge, chain */
-	{ ROUND(cni_collide_circles), ROUND(cni_collide_circle_segment), ROUND(cni_collide_circle_polygon), ROUND(cni_collide_circle_segment), ROUND(CHAIN(cni_collide_circle_chain)) },
+	{ ROUND(cni_collide_circle_round), ROUND(cni_collide_circle_round), ROUND(cni_collide_circle_polygon), ROUND(cni_collide_circle_round), ROUND(CHAIN(cni_collide_circle_chain)) },
 	{ NULL, cni_collide_polygons, cni_collide_polygons, cni_collide_polygons, CHAIN(cni_collide_faces_chain) },
 	{ NULL, NULL, cni_collide_polygons, cni_collide_polygons, CHAIN(cni_collide_faces_chain) },
 	{ NULL, NULL, NULL, cni_collide_polygons, NULL },

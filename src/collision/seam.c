@@ -1,7 +1,13 @@
 /*
- * collision/seam.c - finds hidden corners between flush faces and removes their normals from manifolds. See seam.h.
+ * collision/seam.c - seams, flush joints of faces of two shapes that are static or on one kinematic body: the faces form one surface, the
+ * corners between them are hidden, and sliding shapes must not catch on them.
+ *
+ * A polygon or an edge stores which ends of its faces are hidden (cni_geometry.seams). narrowphase/static_seams.c finds
+ * them when such shapes are made, moved or destroyed. A manifold whose normal belongs to a hidden corner, or to the side
+ * face below it, is replaced by a manifold of the surface (as internal edge removal in Jolt and Bullet; for chains see
+ * manifold_chain.c). A face that one neighbour covers leads nowhere: a shape deep inside leaves through another face.
  */
-#include "collision/seam.h"
+#include "collision/manifold.h"
 #include "collision/distance.h"
 
 /* Sine of the angle up to which two faces are one surface: a tile of 2 m is off by less than the slop then. */

@@ -6,7 +6,7 @@
 #ifndef CNI_CONTACTS_CONTACT_PASS_H
 #define CNI_CONTACTS_CONTACT_PASS_H
 
-#include "model/solve.h"
+#include "contacts/contacts.h"
 
 /* A pass over blocks. Without a team the blocks may belong to several colours, in order. */
 typedef struct cni_color_pass {
@@ -20,9 +20,6 @@ typedef struct cni_color_pass {
 /* Solves the lanes of blocks begin to end - 1. The last vector may include empty lanes. Fresh lanes iterate between normals and
    friction. */
 typedef void cni_contact_kernel_fn(const cni_color_pass *c, int32_t begin, int32_t end);
-
-/* The passes of a kernel. */
-enum { CNI_PASS_WARM, CNI_PASS_SOLVE, CNI_PASS_RELAX, CNI_PASS_AGAIN, CNI_PASSES };
 
 /* For each of count blocks, writes as bits the lanes that have restitution and a point that closes faster than speed. Skips groups of
    lanes in which start.jumped of all bodies is less than since. */

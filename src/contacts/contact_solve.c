@@ -24,7 +24,7 @@ static cni_color_pass color_pass_make(cn_world *world, const cni_solve *s, const
 	return c;
 }
 
-/* Solves one lane with the plain kernel. */
+/* Solves one lane with the plain kernel. which: not _AGAIN. */
 static void lane_run(cn_world *world, const cni_solve *s, int32_t which, const cni_listed_block *b, int32_t l)
 {
 	cni_listed_block one = *b;
@@ -38,10 +38,14 @@ static void lane_run(cn_world *world, const cni_solve *s, int32_t which, const c
 static void overflow_run(cn_world *world, const cni_solve *s, int32_t which)
 {
 	const cni_listed_block *blocks = cni_listed_blocks(world, CNI_COLOR_OVERFLOW);
-	int32_t count = world->colors[CNI_COLOR_OVERFLOW].listed_count, k, l;
-	for (k = 0; k < count; ++k)
-		for (l = 0; l < blocks[k].lanes; ++l)
-			lane_run(world, s, which, &blocks[k], l);
+	int32_t count = world->colors[CNI_COLOR_OVERFLOW].listed_count, again = which == CNI_PASS_AGAIN, k;
+	for (k = 0; k < count; ++k) {
+		uint32_t left = again ? blocks[k].info->again : (1u << blocks[k].lanes) - 1u;
+		if (again)
+			blocks[k].info->again = 0;
+		for (; left != 0; left &= left - 1u)
+			lane_run(world, s, again ? CNI_PASS_SOLVE : which, &blocks[k], cni_bit_lowest32(left));
+	}
 }
 
 typedef struct color_loop {
@@ -138,45 +142,19 @@ void cni_contacts_list(cn_world *world, cni_solve *s)
 	s->sums = sums != 0 || world->events.log[CN_EVENT_ENTER].count > 0;
 }
 
-void cni_contacts_warm_start(cn_world *world, const cni_solve *s)
+void cni_contacts_pass(cn_world *world, const cni_solve *s, int32_t which)
 {
-	colors_run(world, s, CNI_PASS_WARM);
-	overflow_run(world, s, CNI_PASS_WARM);
-}
-
-void cni_contacts_solve(cn_world *world, const cni_solve *s)
-{
-	overflow_run(world, s, CNI_PASS_SOLVE);
-	colors_run(world, s, CNI_PASS_SOLVE);
-}
-
-static void overflow_run_again(cn_world *world, const cni_solve *s)
-{
-	const cni_listed_block *blocks = cni_listed_blocks(world, CNI_COLOR_OVERFLOW);
-	int32_t count = world->colors[CNI_COLOR_OVERFLOW].listed_count, k;
-	for (k = 0; k < count; ++k) {
-		uint32_t again = blocks[k].info->again;
-		for (blocks[k].info->again = 0; again != 0; again &= again - 1u)
-			lane_run(world, s, CNI_PASS_SOLVE, &blocks[k], cni_bit_lowest32(again));
+	int32_t left = which == CNI_PASS_RELAX ? s->relax_sweeps : 1;
+	for (; left > 0; --left) {
+		if (which != CNI_PASS_WARM)
+			overflow_run(world, s, which);
+		colors_run(world, s, which);
 	}
+	if (which == CNI_PASS_WARM)
+		overflow_run(world, s, which);
 }
 
 void cni_contact_mark_again(const cn_world *world, int32_t slot)
 {
 	cni_block_info_at(world, slot / CNI_LANES)->again |= 1u << slot % CNI_LANES;
-}
-
-void cni_contacts_solve_again(cn_world *world, const cni_solve *s)
-{
-	overflow_run_again(world, s);
-	colors_run(world, s, CNI_PASS_AGAIN);
-}
-
-void cni_contacts_relax(cn_world *world, const cni_solve *s)
-{
-	int32_t k;
-	for (k = 0; k < s->relax_sweeps; ++k) {
-		overflow_run(world, s, CNI_PASS_RELAX);
-		colors_run(world, s, CNI_PASS_RELAX);
-	}
 }

@@ -286,32 +286,6 @@ static int32_t is_leaning(const balance *b)
 	return cni_abs(2.0f * turn - (from + to) * sum) > CNI_PRELOAD_LEANING_PART * (to - from) * sum;
 }
 
-/* 0: some body has no sufficient support. */
-static int32_t pile_solve(pile *q, int32_t write)
-{
-	balance b;
-	float g = q->weight_speed / q->h;
-	int32_t k;
-	b.down_x = q->world->settings.gravity.x / g;
-	b.down_y = q->world->settings.gravity.y / g;
-	for (k = 0; k < q->count; ++k) {
-		int32_t index = (int32_t)(q->order[k] & 0xFFFFFFFFu);
-		const cni_motion *m = cni_motions(q->world) + index;
-		const weight *w = &q->weights[index];
-		float scale = m->inv_mass > 0.0f ? cni_sqrt(m->inv_inertia / m->inv_mass) : 0.0f;
-		b.wanted[0] = w->x;
-		b.wanted[1] = w->y;
-		b.wanted[2] = scale * w->turn;
-		if (m->inv_mass == 0.0f || !supports_collect(q, index, scale, &b) || !balance_solve(&b, q->weight_speed / m->inv_mass))
-			return 0;
-		q->leans |= is_leaning(&b);
-		supports_load(q, &b);
-		if (write)
-			lanes_write(q, &b);
-	}
-	return 1;
-}
-
 static float height_of(const cn_world *world, const cni_body *b)
 {
 	return -(b->cx * world->settings.gravity.x + b->cy * world->settings.gravity.y);
@@ -333,6 +307,33 @@ static void weights_begin(const pile *q)
 	}
 }
 
+/* 0: some body has no sufficient support. */
+static int32_t pile_solve(pile *q, int32_t write)
+{
+	balance b;
+	float g = q->weight_speed / q->h;
+	int32_t k;
+	weights_begin(q);
+	b.down_x = q->world->settings.gravity.x / g;
+	b.down_y = q->world->settings.gravity.y / g;
+	for (k = 0; k < q->count; ++k) {
+		int32_t index = (int32_t)(q->order[k] & 0xFFFFFFFFu);
+		const cni_motion *m = cni_motions(q->world) + index;
+		const weight *w = &q->weights[index];
+		float scale = m->inv_mass > 0.0f ? cni_sqrt(m->inv_inertia / m->inv_mass) : 0.0f;
+		b.wanted[0] = w->x;
+		b.wanted[1] = w->y;
+		b.wanted[2] = scale * w->turn;
+		if (m->inv_mass == 0.0f || !supports_collect(q, index, scale, &b) || !balance_solve(&b, q->weight_speed / m->inv_mass))
+			return 0;
+		q->leans |= is_leaning(&b);
+		supports_load(q, &b);
+		if (write)
+			lanes_write(q, &b);
+	}
+	return 1;
+}
+
 /* Sorts the bodies. The weights do not exist yet: their memory is the scratch of the sort. */
 static void order_find(pile *q, int32_t island)
 {
@@ -347,12 +348,8 @@ static void order_find(pile *q, int32_t island)
 /* Computes the whole pile before it writes anything. 0: the direct solver should take the island. */
 static int32_t pile_preload(pile *q)
 {
-	weights_begin(q);
-	if (!pile_solve(q, 0))
-		return 0;
-	weights_begin(q);
 	q->stressed = 0;
-	return pile_solve(q, 1) && !q->stressed;
+	return pile_solve(q, 0) && pile_solve(q, 1) && !q->stressed;
 }
 
 /* Are most contacts new, in an island that is quiet, without joints, and neither solved directly nor set to CN_SOLVER_SOFT? */
@@ -428,7 +425,6 @@ int32_t cni_pile_is_supported(cn_world *world, int32_t island, float h)
 	int32_t stands = 1;
 	if (pile_begin(&q, world, h, 1.0f)) {
 		order_find(&q, island);
-		weights_begin(&q);
 		stands = pile_solve(&q, 0) && !q.leans;
 	}
 	pile_end(&q);

@@ -35,7 +35,7 @@ static uint32_t lanes_with_hits(const cn_world *world, const cni_block_info *inf
 	return lanes;
 }
 
-/* Numbers the blocks with sums, and counts them. */
+/* Numbers the blocks with sums, clears these where there is memory for them already, and counts the blocks. */
 static int32_t blocks_number(const cn_world *world)
 {
 	int32_t color, block, count = 0;
@@ -43,32 +43,24 @@ static int32_t blocks_number(const cn_world *world)
 		for (block = world->colors[color].first; block != CNI_NONE; block = cni_block_info_at(world, block)->next) {
 			cni_block_info *info = cni_block_info_at(world, block);
 			info->sums = info->flags & CNI_BLOCK_SUMS ? count++ : CNI_NONE;
+			if (info->sums != CNI_NONE && world->sums != NULL) {
+				memset(world->sums + info->sums, 0, sizeof *world->sums);
+				world->sums[info->sums].block = block;
+				world->sums[info->sums].hits = lanes_with_hits(world, info);
+			}
 		}
 	return count;
-}
-
-static void sums_clear(const cn_world *world, cni_block_sums *sums, int32_t block)
-{
-	memset(sums, 0, sizeof *sums);
-	sums->block = block;
-	sums->hits = lanes_with_hits(world, cni_block_info_at(world, block));
 }
 
 /* Where no block has sums, world.sums is NULL. */
 void cni_impulse_sums_make(cn_world *world)
 {
-	int32_t count = blocks_number(world), color, block;
+	int32_t count = blocks_number(world);
 	world->sums_active = count > 0 || world->events.log[CN_EVENT_ENTER].count > 0;
-	if (count == 0)
-		return;
-	world->sums = (cni_block_sums *)cni_scratch_push(world, sizeof(cni_block_sums) * (uint64_t)count);
-	if (world->sums == NULL)
-		return;
-	world->sums_count = count;
-	for (color = 0; color < CNI_COLORS; ++color)
-		for (block = world->colors[color].first; block != CNI_NONE; block = cni_block_info_at(world, block)->next)
-			if (cni_block_info_at(world, block)->sums != CNI_NONE)
-				sums_clear(world, world->sums + cni_block_info_at(world, block)->sums, block);
+	if (count > 0)
+		world->sums = (cni_block_sums *)cni_scratch_push(world, sizeof(cni_block_sums) * (uint64_t)count);
+	if (world->sums != NULL)
+		world->sums_count = blocks_number(world);
 }
 
 /* ---- a substep ---- */

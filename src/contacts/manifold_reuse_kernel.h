@@ -208,19 +208,14 @@ CNI_INLINE cni_mask reuse_holds(const cni_reuse_pass *pass, const reuse_pair *f,
 	       (ahead <= cni_wide_select(nearest > cni_wide_of(pass->tiny), cni_wide_of(pass->hair), most));
 }
 
-CNI_INLINE void store_where(float *row, cni_mask where, cni_wide value)
-{
-	cni_wide_store(row, cni_wide_select(where, value, cni_wide_load(row)));
-}
-
 CNI_INLINE void reuse_point_store(const reuse_pair *f, cni_contact_row *row, int32_t l, cni_mask where, const reuse_point *p, cni_wide dt)
 {
 	cni_wide bt = p->at - dt;
 	where = where & p->used;
-	store_where(row->at + l, where, p->at);
-	store_where(row->an + l, where, p->an);
-	store_where(row->s0 + l, where, p->s);
-	store_where(row->nm + l, where, 1.0f / (f->ma + f->mb + f->ia * p->at * p->at + f->ib * bt * bt));
+	cni_wide_store_where(row->at + l, where, p->at);
+	cni_wide_store_where(row->an + l, where, p->an);
+	cni_wide_store_where(row->s0 + l, where, p->s);
+	cni_wide_store_where(row->nm + l, where, 1.0f / (f->ma + f->mb + f->ia * p->at * p->at + f->ib * bt * bt));
 }
 
 /* Lanes that keep their normal although the true one is now (nx, ny). two: both points exist; wa, wb: angular velocities. */
@@ -243,13 +238,13 @@ CNI_INLINE uint32_t reuse_group(const cni_reuse_pass *pass, cni_contact_block *k
 	reuse_point_store(&f, &k->p[0], l, good, &p, g.dt);
 	reuse_point_store(&f, &k->p[1], l, good, &q, g.dt);
 	turned = good & ~normal_lags(k, l, q.used, g.nx, g.ny, f.wa, f.wb, pass->lag_sq);
-	store_where(k->nx + l, turned, g.nx);
-	store_where(k->ny + l, turned, g.ny);
-	store_where(k->dn + l, good, cni_wide_load(k->dn + l) + g.dn_change);
-	store_where(k->dt + l, good, g.dt);
-	store_where(k->fa + l, good, fa);
-	store_where(k->fb + l, good, fb);
-	store_where(k->tm + l, good, 1.0f / (f.ma + f.mb + f.ia * fa * fa + f.ib * fb * fb));
+	cni_wide_store_where(k->nx + l, turned, g.nx);
+	cni_wide_store_where(k->ny + l, turned, g.ny);
+	cni_wide_store_where(k->dn + l, good, cni_wide_load(k->dn + l) + g.dn_change);
+	cni_wide_store_where(k->dt + l, good, g.dt);
+	cni_wide_store_where(k->fa + l, good, fa);
+	cni_wide_store_where(k->fb + l, good, fb);
+	cni_wide_store_where(k->tm + l, good, 1.0f / (f.ma + f.mb + f.ia * fa * fa + f.ib * fb * fb));
 	return cni_mask_bits(good) << l;
 }
 

@@ -223,6 +223,6 @@ void cni_direct_project(cn_world *world, const cni_solve *s)
 		for (k = 0; k < s->direct->component_count; ++k)
 			if (s->direct->projections[k].opening)
 				contacts_mark(world, s->direct, k);
-		cni_contacts_solve_again(world, s);
+		cni_contacts_pass(world, s, CNI_PASS_AGAIN);
 	}
 }

@@ -34,7 +34,7 @@
 #include "model/solve.h"
 
 #define ISLANDS_MOST 64        /* solved directly at the same time, of CN_SOLVER_AUTO */
-#define BLOCKS_AT_ONCE 8       /* whose memory is asked for */
+#define BLOCKS_AHEAD 8         /* whose memory is asked for */
 
 typedef struct lane_scan {
 	float most;    /* metres: bad overlap of a contact with much load */
@@ -336,40 +336,17 @@ static void unheld_check(cn_world *world)
 	}
 }
 
-static void separations_prefetch(const cni_contact_block *k)
-{
-	CNI_PREFETCH(k->p[0].s0);
-	CNI_PREFETCH(k->p[1].s0);
-}
-
-static void impulses_prefetch(const cni_contact_block *k)
-{
-	CNI_PREFETCH(k->p[0].nm);
-	CNI_PREFETCH(k->p[1].nm);
-	CNI_PREFETCH(k->p[0].jn);
-	CNI_PREFETCH(k->p[1].jn);
-}
-
-/* Several blocks at once: rarely needed data is prefetched while other blocks are checked. */
 static void lanes_check(cn_world *world, float h)
 {
 	lane_scan q = { CNI_BAD_PART * world->settings.accuracy, h, CNI_NONE };
 	const cni_listed_block *list = (const cni_listed_block *)world->block_list.data;
-	uint32_t lanes[BLOCKS_AT_ONCE];
-	int32_t first, last, k, count = world->colors[CNI_COLORS - 1].listed + world->colors[CNI_COLORS - 1].listed_count;
-	for (first = 0; first < count; first = last) {
-		last = cni_min_i(first + BLOCKS_AT_ONCE, count);
-		for (k = first; k < last; ++k) {
-			if (k + BLOCKS_AT_ONCE < count)
-				separations_prefetch(list[k + BLOCKS_AT_ONCE].rows);
-			lanes[k - first] = list[k].fresh | cni_deep_lanes(list[k].rows, q.most);
-			if (lanes[k - first] != 0)
-				CNI_PREFETCH(list[k].rows->ia);
-			if (list[k].fresh != 0)
-				impulses_prefetch(list[k].rows);
+	int32_t k, count = world->colors[CNI_COLORS - 1].listed + world->colors[CNI_COLORS - 1].listed_count;
+	for (k = 0; k < count; ++k) {
+		if (k + BLOCKS_AHEAD < count) {
+			CNI_PREFETCH(list[k + BLOCKS_AHEAD].rows->p[0].s0);
+			CNI_PREFETCH(list[k + BLOCKS_AHEAD].rows->p[1].s0);
 		}
-		for (k = first; k < last; ++k)
-			block_check(world, &q, &list[k], lanes[k - first]);
+		block_check(world, &q, &list[k], list[k].fresh | cni_deep_lanes(list[k].rows, q.most));
 	}
 	if (world->piles_unheld)
 		unheld_check(world);

@@ -22,7 +22,7 @@ typedef struct cni_geometry {
 	int32_t type;       /* CN_SHAPE_* */
 	int32_t count;
 	float radius;
-	uint32_t seams;     /* chain: 1 if it is a loop; others: hidden ends of faces and covered faces, see collision/seam.h */
+	uint32_t seams;     /* chain: 1 if it is a loop; others: hidden ends of faces and covered faces, see collision/seam.c */
 	cni_vec2 centroid;  /* of the area (polygon, capsule, circle), else the mean of the points */
 	float extent;       /* farthest surface point from the local origin */
 	float inner_radius; /* radius of a circle inside the shape around its centroid, 0 for edges and chains */

@@ -202,17 +202,11 @@ void cni_body_kick(cn_world *world, int32_t body);
 /* The room, in metres; 0: unknown. Stored as the upper half of a float, which rounds down. */
 static inline float cni_body_room(const cni_body *b)
 {
-	uint32_t bits = (uint32_t)b->room << 16;
-	float room;
-	memcpy(&room, &bits, sizeof room);
-	return room;
+	return cni_float_of((uint32_t)b->room << 16);
 }
 static inline void cni_body_set_room(cni_body *b, float room)
 {
-	float positive = cni_max(room, 0.0f);
-	uint32_t bits;
-	memcpy(&bits, &positive, sizeof bits);
-	b->room = (uint16_t)(bits >> 16);
+	b->room = (uint16_t)(cni_bits_of(cni_max(room, 0.0f)) >> 16);
 }
 /* After shapes or boxes were changed outside of a step. */
 static inline void cni_body_forget_room(cni_body *b)

@@ -166,9 +166,7 @@ static void mass_add(cn_world *world, cni_body *b, cn_mass_data m)
 
 static int32_t exponent_of(float x)
 {
-	uint32_t bits;
-	memcpy(&bits, &x, sizeof bits);
-	return (int32_t)(bits >> 23);
+	return (int32_t)(cni_bits_of(x) >> 23);
 }
 
 /* Mass, centre and inertia of the body without one of its parts. Returns 0, and changes nothing, where mass or inertia falls below a power

@@ -91,7 +91,7 @@ void cni_shape_unlink(cn_world *world, int32_t shape);
 
 /* Margin of a shape's fat box, from the type of its body and its tight box. */
 float cni_box_margin(const cn_world *world, int32_t body_type, const cni_aabb *tight);
-/* Notes that static shapes were added, removed, moved or changed there: the next step finds hidden corners (collision/seam.h) again. */
+/* Notes that static shapes were added, removed, moved or changed there: the next step finds hidden corners (collision/seam.c) again. */
 void cni_seams_change(cn_world *world, const cni_aabb *box);
 /* All pairs of the shape's boxes count as new in the next step (filter, type or joint changed). */
 void cni_shape_refilter(cn_world *world, int32_t shape);

@@ -1,7 +1,11 @@
 /*
  * narrowphase/begun.c - manifolds kept for contacts that begin to touch.
+ *
+ * Storing one for each contact would take more memory than the contacts. So each group of successive contacts has room for a few, and
+ * the manifolds of the others are computed again. Pairs that are new in this step, of which many begin, are at the end of the list:
+ * their groups have room for all. Which are kept depends on the list alone: one worker processes a group, in order.
  */
-#include "narrowphase/begun.h"
+#include "narrowphase/touch.h"
 #include "model/world.h"
 
 #include <string.h>

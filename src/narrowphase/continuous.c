@@ -2,7 +2,7 @@
  * narrowphase/continuous.c - continuous collision: the last guard against tunnelling (part of stage 8).
  *
  * Speculative contacts of the narrowphase stop most fast bodies. Bodies that became fast within the step remain, and bodies that
- * others press deep into static ones (deep_bodies.c). Before such a body
+ * others press deep into static ones. Before such a body
  * moves, or any by more than a quarter of its inner radius, the core of each of its shapes (the shape shrunk by half its inner radius)
  * is swept along the body's path against the static shapes there (for bullets: against all shapes, each on its own path). At the
  * time of impact the body gives up the rest of its path for this step; so does a dynamic body that a bullet hits. At a static shape it gives
@@ -22,7 +22,9 @@
  */
 #include "narrowphase/narrowphase.h"
 #include "narrowphase/touch.h"
+#include "base/bitset.h"
 #include "collision/distance.h"
+#include "contacts/deep_lanes.h"
 
 #include <float.h>
 #include <string.h>
@@ -454,6 +456,28 @@ static int32_t path_is_inside_boxes(const cn_world *world, const cni_body *b, co
 	return 1;
 }
 
+/*
+ * Marks slow bodies that are pressed deep into something immovable. Neighbours or a kinematic body can press a body through a wall with
+ * many steps of less than a quarter of its inner radius. One that overlaps by at most that much keeps its core clear for one more step;
+ * smaller overlaps, which bodies at rest have, are skipped without reading records. Body a of a lane is the movable one.
+ */
+static void deep_bodies_mark(cn_world *world)
+{
+	const cni_motion *motions = cni_motions(world);
+	int32_t color, block;
+	uint32_t deep;
+	for (color = CNI_COLOR_STATIC; color < CNI_COLORS; ++color)
+		for (block = world->colors[color].first; block != CNI_NONE; block = cni_block_info_at(world, block)->next) {
+			const cni_contact_block *k = cni_block_at(world, block);
+			for (deep = cni_deep_lanes(k, CNI_CORE_NEAR_PART * world->settings.slop); deep != 0; deep &= deep - 1u) {
+				int32_t l = cni_bit_lowest32(deep), index = k->ia[l];
+				float core = cni_body_at(world, cni_awake_ids(world)[index])->core;
+				if (!(motions[k->ib[l]].inv_mass > 0.0f) && -cni_min(k->p[0].s0[l], k->p[1].s0[l]) > CNI_CORE_NEAR_PART * core)
+					cni_externals(world)[index].flags |= CNI_EXTERNAL_DEFERRED;
+			}
+		}
+}
+
 typedef struct check_loop {
 	cn_world *world;
 	int32_t without_boxes; /* the boxes were not made for these paths */
@@ -524,7 +548,7 @@ static void bullets_check(cn_world *world)
 void cni_stage_continuous(cn_world *world)
 {
 	check_loop loop = { world, world->settings.solver == CN_SOLVER_SEQUENTIAL, 0 };
-	cni_deep_bodies_mark(world);
+	deep_bodies_mark(world);
 	cni_team_for(world->filter != NULL ? NULL : world->team, world->awake_count - 1, BODIES_A_RANGE, check_range, &loop);
 	if (loop.bullets > 0)
 		bullets_check(world);

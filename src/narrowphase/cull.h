@@ -7,11 +7,13 @@
 
 #include "narrowphase/touch.h"
 
-/* Pairs culled at once, at most the bits of a word. */
+/* Pairs culled at once, at most the bits of a word. Small builds cull one contact after the other, from the records. */
 #ifdef CN_SMALL_BLOCKS
 #define CNI_CULL_BATCH 4
+#define CNI_CULL_LOOKS_AHEAD 0
 #else
 #define CNI_CULL_BATCH 32
+#define CNI_CULL_LOOKS_AHEAD 1
 #endif
 
 /* Position and reach of a body in a step. */
@@ -30,13 +32,6 @@ typedef struct cni_cull_list {
 	cni_cull_body *bodies;     /* by record; NULL: too few contacts, or no memory */
 	int32_t prefetches;
 } cni_cull_list;
-
-/* Small builds cull one contact after the other, from the records. */
-#ifdef CN_SMALL_BLOCKS
-#define CNI_CULL_LOOKS_AHEAD 0
-#else
-#define CNI_CULL_LOOKS_AHEAD 1
-#endif
 
 /* Records, proxies and pairs found ahead for prefetching, by position in the list modulo these. */
 #define CNI_CULL_RECORDS (CNI_CULL_LOOKS_AHEAD ? 32 : 1)

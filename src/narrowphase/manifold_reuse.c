@@ -78,39 +78,6 @@ static int32_t reused_boxes_overlap(const cn_world *world, const int32_t *contac
 }
 #endif
 
-typedef struct pose_loop {
-	const cn_world *world;
-	cni_reuse_pose *poses;
-} pose_loop;
-
-/* Gathers the poses densely before the lanes: a body has several lanes, so this pays where most bodies have an anchored one. */
-static void poses_range(void *context, int32_t begin, int32_t end)
-{
-	const pose_loop *loop = (const pose_loop *)context;
-	const cn_world *world = loop->world;
-	int32_t k;
-	for (k = begin + 1; k <= end; ++k) {
-		const cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
-		cni_reuse_pose *p = &loop->poses[k];
-		memcpy(p, b, offsetof(cni_reuse_pose, extent));
-		p->extent = b->flags & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y) ? -1.0f : b->extent;
-		p->inv_inertia = cni_motions(world)[k].inv_inertia;
-	}
-}
-
-/* NULL: too few anchored lanes to pay, or no memory. anchored: number of anchored lanes between awake bodies. */
-static cni_reuse_pose *poses_make(cn_world *world, int32_t anchored)
-{
-	pose_loop loop;
-	loop.world = world;
-	loop.poses = anchored < world->awake_count / 2 ? NULL : (cni_reuse_pose *)cni_arena_push(&world->arena, sizeof(cni_reuse_pose) * (uint64_t)world->awake_count);
-	if (loop.poses == NULL)
-		return NULL;
-	memset(loop.poses, 0, sizeof *loop.poses);
-	cni_parallel_for(world, world->awake_count - 1, BODIES_A_RANGE, poses_range, &loop);
-	return loop.poses;
-}
-
 /* A block and, as bits, its lanes in use; after reuse the lanes that still need a manifold. */
 typedef struct reuse_block {
 	int32_t block;
@@ -125,8 +92,36 @@ typedef struct reuse_loop {
 	const cni_contact_kernel *kernel;
 	reuse_block *blocks; /* colours in order, a colour's blocks in order */
 	int32_t count;
+	cni_reuse_pose *poses; /* NULL: none */
 	cni_reuse_pass pass;
 } reuse_loop;
+
+/* Gathers the poses densely before the lanes: a body has several lanes, so this pays where most bodies have an anchored one. */
+static void poses_range(void *context, int32_t begin, int32_t end)
+{
+	const reuse_loop *loop = (const reuse_loop *)context;
+	const cn_world *world = loop->world;
+	int32_t k;
+	for (k = begin + 1; k <= end; ++k) {
+		const cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
+		cni_reuse_pose *p = &loop->poses[k];
+		memcpy(p, b, offsetof(cni_reuse_pose, extent));
+		p->extent = b->flags & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y) ? -1.0f : b->extent;
+		p->inv_inertia = cni_motions(world)[k].inv_inertia;
+	}
+}
+
+/* Makes no poses where there are too few anchored lanes to pay, or no memory. anchored: number of anchored lanes between awake bodies. */
+static void poses_make(cn_world *world, reuse_loop *loop, int32_t anchored)
+{
+	if (anchored >= world->awake_count / 2)
+		loop->poses = (cni_reuse_pose *)cni_arena_push(&world->arena, sizeof(cni_reuse_pose) * (uint64_t)world->awake_count);
+	if (loop->poses == NULL)
+		return;
+	memset(loop->poses, 0, sizeof *loop->poses);
+	cni_parallel_for(world, world->awake_count - 1, BODIES_A_RANGE, poses_range, loop);
+	loop->pass.poses = loop->poses;
+}
 
 /* Returns the number of anchored lanes between awake bodies. */
 static int32_t blocks_list(const cn_world *world, reuse_loop *loop)
@@ -224,15 +219,15 @@ static int32_t remaining_collect(const reuse_loop *loop, int32_t *remaining)
 int32_t cni_manifolds_reuse(cn_world *world, float dt, int32_t *remaining)
 {
 	reuse_loop loop;
-	cni_reuse_pose *poses = NULL;
 	int32_t anchored;
 	loop.world = world;
+	loop.poses = NULL;
 	loop.kernel = cni_contact_kernel_choose();
 	loop.pass = pass_make(world, dt);
 	anchored = blocks_list(world, &loop);
 	if (dt > 0.0f && CNI_ON(MANIFOLD_REUSE))
-		loop.pass.poses = poses = poses_make(world, anchored);
+		poses_make(world, &loop, anchored);
 	cni_parallel_for(world, loop.count, BLOCKS_A_RANGE, reuse_range, &loop);
-	cni_arena_pop(&world->arena, poses);
+	cni_arena_pop(&world->arena, loop.poses);
 	return remaining_collect(&loop, remaining);
 }

@@ -20,7 +20,6 @@
 #include "base/cpu.h"
 #include "collision/distance.h"
 #include "collision/manifold_batch.h"
-#include "narrowphase/begun.h"
 #include "narrowphase/cull.h"
 
 #include <string.h>
@@ -177,8 +176,7 @@ typedef struct window {
 enum {
 	COLUMN_NONE = -1,   /* not a pair for the batch */
 	COLUMN_APART = -2,  /* no manifold */
-	COLUMN_DEFERRED = -3,
-	COLUMN_CULLED = -4  /* stays apart, and has nothing to report */
+	COLUMN_DONE = -3    /* deferred; or stays apart, and has nothing to report */
 };
 
 /* Serial: defers nothing. Otherwise defers contacts that would allocate or call the user. */
@@ -251,17 +249,12 @@ static void window_begin(const cn_world *world, window *w, int32_t count, float 
 	for (k = 0; k < count; ++k) {
 		cni_contact *c = w->pair[k].contact;
 		cni_touch *t = &w->touch[k];
-		w->column[k] = is_deferred(w, &w->pair[k]) ? COLUMN_DEFERRED : COLUMN_APART;
-		if (w->column[k] == COLUMN_DEFERRED)
+		w->column[k] = COLUMN_DONE;
+		w->change[k] = is_deferred(w, &w->pair[k]) ? CHANGE_DEFERRED : CHANGE_NONE;
+		if (w->change[k] == CHANGE_DEFERRED || is_culled(world, &w->pair[k], dt))
 			continue;
-		if (is_culled(world, &w->pair[k], dt)) {
-			w->column[k] = COLUMN_CULLED;
-			continue;
-		}
-		if (!cni_touch_begin(world, &w->pair[k], motion_time(c, dt), t))
-			continue;
-		w->column[k] = COLUMN_NONE;
-		if (has_kernel(w) && cni_batch_take(&t->in))
+		w->column[k] = cni_touch_begin(world, &w->pair[k], motion_time(c, dt), t) ? COLUMN_NONE : COLUMN_APART;
+		if (w->column[k] == COLUMN_NONE && has_kernel(w) && cni_batch_take(&t->in))
 			w->column[k] = cni_batch_add(&w->batch, &t->in, &c->cache);
 	}
 }
@@ -270,10 +263,8 @@ static int32_t window_finish(cn_world *world, window *w, int32_t k, float dt)
 {
 	cni_touch *t = &w->touch[k];
 	int32_t change;
-	if (w->column[k] == COLUMN_DEFERRED)
-		return CHANGE_DEFERRED;
-	if (w->column[k] == COLUMN_CULLED)
-		return CHANGE_NONE;
+	if (w->column[k] == COLUMN_DONE)
+		return w->change[k];
 	if (w->column[k] == COLUMN_NONE)
 		cni_touch_collide(t);
 	else if (has_kernel(w) && w->column[k] >= 0)

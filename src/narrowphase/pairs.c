@@ -5,7 +5,7 @@
  * with any broadphase. A pair without memory for its contact is counted, and its proxy touched so that the next step reports it
  * again.
  *
- * Crowds: the broadphase bounds the pairs of one update (broadphase/pair_list.h), this stage all contacts. In a world with more
+ * Crowds: the broadphase bounds the pairs of one update (broadphase/pair_list.c), this stage all contacts. In a world with more
  * than cni_pairs_limit contacts, a pair of which both bodies have many is left out, but not one with a fixed body (static or
  * kinematic), or a crowd would fall through the ground. In each step one in CROWD_TURNS of the
  * proxies that miss a pair is touched, until nothing is left out; until then their bodies do not fall asleep.

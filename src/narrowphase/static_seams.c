@@ -1,12 +1,12 @@
 /*
  * narrowphase/static_seams.c - finds corners that are hidden between flush faces of static shapes, or of shapes of one kinematic body
- * (collision/seam.h). Searches the box around such shapes that were created, moved by their user, changed or destroyed since the last step;
+ * (collision/seam.c). Searches the box around such shapes that were created, moved by their user, changed or destroyed since the last step;
  * without changes it does nothing.
  *
  * Reads proxies, shapes, bodies, the broadphase; writes the seams in geometry records.
  */
 #include "narrowphase/touch.h"
-#include "collision/seam.h"
+#include "collision/manifold.h"
 
 typedef struct seam_search {
 	cn_world *world;

@@ -6,7 +6,7 @@
  * other; points that their motion does not reach are dropped.
  */
 #include "narrowphase/touch.h"
-#include "collision/seam.h"
+#include "collision/manifold.h"
 
 #if defined(CNI_DEBUG)
 static int32_t record_is_of_motion(const cn_world *world, const cni_body *b)

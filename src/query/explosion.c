@@ -11,7 +11,7 @@
  */
 #include "query/query.h"
 #include "base/sort.h"
-#include "collision/nearest.h"
+#include "collision/distance.h"
 
 #include <string.h>
 

@@ -1,6 +1,5 @@
 /*
- * query/mover.h - shared by the files of the character mover: planes and sliding (mover_plane.c), ground (mover_ground.c) and the
- * move (mover.c).
+ * query/mover.h - shared by the files of the character mover: planes and sliding (mover_plane.c), ground and the move (mover.c).
  */
 #ifndef CNI_WORLD_MOVER_H
 #define CNI_WORLD_MOVER_H
@@ -44,14 +43,5 @@ void cni_move_place(cni_move *m, cni_vec2 position);
 void cni_move_slide(cni_move *m, cni_vec2 translation);
 /* Removes the horizontal velocity into steep planes: a surface too steep to walk on is a wall. */
 cni_vec2 cni_move_block_steep(const cni_move *m, cni_vec2 v);
-
-/* Clears the mover's ground. The functions below set it and return 1 if there is ground (mover_ground.c). */
-void cni_ground_none(cni_move *m);
-/* Takes the most level walkable plane touched, unless the mover leaves it at velocity v. */
-int32_t cni_ground_of_planes(cni_move *m, cni_vec2 v);
-/* Finds ground within the snap distance below and moves down to it. */
-int32_t cni_ground_snap(cni_move *m);
-/* Tries a step up from start and the distance way along `right`, of which sliding moved only `progress`. */
-int32_t cni_ground_step(cni_move *m, cni_vec2 start, float way, float progress);
 
 #endif

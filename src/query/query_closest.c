@@ -5,7 +5,7 @@
  * neighbourhood, not on the allowed distance. Shape and child order equal distances.
  */
 #include "query/query.h"
-#include "collision/nearest.h"
+#include "collision/distance.h"
 
 #define GROWTH 4.0f
 

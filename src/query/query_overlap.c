@@ -146,15 +146,17 @@ cn_result cn_world_overlap_aabb(const cn_world *world, const cn_aabb *box, const
 	return overlap_run(&q, &sight, out, capacity, out_count);
 }
 
-static cn_result overlap_region(cni_call *call, const cn_polygon *polygon, const cn_query_filter *filter, cn_shape *out, int32_t capacity, int32_t *out_count)
+cn_result cn_world_overlap_polygon(const cn_world *world, const cn_polygon *polygon, const cn_query_filter *filter, cn_shape *out, int32_t capacity,
+	int32_t *out_count)
 {
-	cni_sight sight = cni_check_filter(call, filter);
+	cni_call call = cni_enter_const(world);
+	cni_sight sight = cni_check_filter(&call, filter);
 	overlap_query q;
 	cni_region region;
-	cni_check_output(call, out, capacity, out_count);
-	cni_check_region(call, polygon, &region);
-	if (call->result != CN_OK)
-		return call->result;
+	cni_check_output(&call, out, capacity, out_count);
+	cni_check_region(&call, polygon, &region);
+	if (call.result != CN_OK)
+		return call.result;
 	q.test = test_region;
 	q.region = &region;
 	q.box = cni_region_box(&region, cni_v(0.0f, 0.0f));
@@ -171,14 +173,7 @@ cn_result cn_world_overlap_circle(const cn_world *world, const cn_circle *circle
 	one_point.count = 1;
 	one_point.radius_m = circle->radius_m;
 	one_point.points_m[0] = circle->center_m;
-	return overlap_region(&call, &one_point, filter, out, capacity, out_count);
-}
-
-cn_result cn_world_overlap_polygon(const cn_world *world, const cn_polygon *polygon, const cn_query_filter *filter, cn_shape *out, int32_t capacity,
-	int32_t *out_count)
-{
-	cni_call call = cni_enter_const(world);
-	return overlap_region(&call, polygon, filter, out, capacity, out_count);
+	return cn_world_overlap_polygon(world, &one_point, filter, out, capacity, out_count);
 }
 
 cn_result cn_world_overlap_point(const cn_world *world, float x_m, float y_m, const cn_query_filter *filter, cn_shape *out, int32_t capacity, int32_t *out_count)

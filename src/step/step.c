@@ -116,19 +116,19 @@ static void substeps_lead(void *context)
 			cni_impulse_sums_open(world, s);
 		if (k == 0) {
 			joints_warm_start(world, s);
-			cni_contacts_warm_start(world, s);
+			cni_contacts_pass(world, s, CNI_PASS_WARM);
 		}
 		if (CNI_HAS_RESTITUTION && CNI_ON(IMPACTS))
 			cni_contacts_impact(world, s);
 		joints_solve(world, s);
-		cni_contacts_solve(world, s);
+		cni_contacts_pass(world, s, CNI_PASS_SOLVE);
 		if (has_direct(s))
 			cni_direct_project(world, s);
 		if (has_joints(world))
 			cni_joints_limit_turns(world, s);
 		cni_integrate_positions(world, s);
 		joints_relax(world, s);
-		cni_contacts_relax(world, s);
+		cni_contacts_pass(world, s, CNI_PASS_RELAX);
 		impulses_sum(world, s);
 		if (k == 0 && CNI_ON(EARLY_REST))
 			cni_rest_find(world, s);

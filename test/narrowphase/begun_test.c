@@ -5,7 +5,7 @@
  * contacts, all of the groups of new ones, none beyond its room. If this fails, contacts begin with manifolds of others.
  */
 #include "model/world.h"
-#include "narrowphase/begun.h"
+#include "narrowphase/touch.h"
 #include "world/fixture.h"
 
 #define CONTACTS 1000

@@ -6,7 +6,7 @@
  * copy, one by one), and as lists of a few (from the bodies' records, one by one). All must tell the same: what is passed by
  * must not come within the contact margin (by the time of impact of the two shapes) and have overlapping boxes, all else must come out in order, and the same bodies must be marked as having
  * static ones about them. Contacts with something to tell must come out. In a heap that comes to rest on hills, the second look of
- * narrowphase/apart.c is compared with the time of impact as well. If something is passed by that touches, look at the
+ * the second look is compared with the time of impact as well. If something is passed by that touches, look at the
  * margins in circles_apart.
  */
 #include "model/world.h"

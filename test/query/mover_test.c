@@ -2,7 +2,7 @@
  * mover_test - promise: a character goes exactly as fast as it is told, climbs what it may and nothing else, stands still,
  * jumps as high as physics says, never passes through a wall, and is not caught by seams.
  *
- * If a test here fails, look first in: src/query/mover.c (order of a move), mover_ground.c (steps, slopes, snapping),
+ * If a test here fails, look first in: src/query/mover.c (order of a move; steps, slopes, snapping),
  * mover_plane.c (what bounds it, sliding).
  */
 #include "movers.h"

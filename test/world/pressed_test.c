@@ -3,7 +3,7 @@
  * whatever pushes it (a crowd made in one spot, too little room, a crusher, machines at up to 400 m/s) and whatever the solver, and bodies made in one spot leave it at
  * the push speed between neighbours.
  *
- * If a test fails, look in narrowphase/deep_bodies.c, continuous.c (the guard), step/sequential.c (what is held). `pressed_test t_soak` runs
+ * If a test fails, look in narrowphase/continuous.c (the guard), step/sequential.c (what is held). `pressed_test t_soak` runs
  * more seeds (make soak).
  */
 #include "random_bodies.h"
