@@ -67,7 +67,7 @@ int32_t cni_seams_possible(const cni_geometry *g, float slop);
 uint32_t cni_seams_between(const cni_geometry *g, const cni_geometry *h, cni_transform h_in_g, float slop);
 
 /* Replaces a manifold of a hidden corner by one of the surface, or empties it where the neighbour has the contact. in->a or
-   in->b is static and has seams. motion: displacement of b relative to a in this step, in a's frame. depth: metres that the
+   one of the two has seams. motion: displacement of b relative to a in this step, in a's frame. depth: metres that the
    other shape may reach behind the surface. */
 void cni_seams_mend(const cni_manifold_input *in, cni_vec2 motion, float depth, cni_manifold *m);
 
