@@ -207,11 +207,6 @@ static void sides_save(cni_sparse *sparse, const cni_component *c, int32_t resto
 	}
 }
 
-static float length_of(const cn_world *world, const cni_node *n, int32_t row)
-{
-	return n->owner < 0 ? 1.0f : cni_row_length(world, &cni_joint_constraints(world)[n->owner].rows[row]);
-}
-
 /*
  * With A = K + C, right sides b and A x = b, the velocity change M^-1 J^T x has twice the kinetic energy x K x <= x A x = x b: no solution
  * exceeds the work of its right sides. A solution that exceeds it was made by pivots that are rounding. Without motors, joints also cannot
@@ -226,8 +221,8 @@ static int32_t is_bounded(const cn_world *world, const cni_sparse *sparse, const
 	for (k = c->begin; k < c->end; ++k) {
 		const cni_node *n = &sparse->nodes[k];
 		work = cni_four_add(work, cni_four_times(cni_four_load(n->carried), cni_four_load(n->x)));
-		for (i = 0; i < n->rows; ++i)
-			fastest = cni_max(fastest, cni_abs(n->closing[i]) * length_of(world, n, i));
+		for (i = 0; i < n->rows && n->owner >= 0; ++i)
+			fastest = cni_max(fastest, cni_abs(n->closing[i]) * cni_row_length(world, &cni_joint_constraints(world)[n->owner].rows[i]));
 	}
 	for (k = c->body_begin; k < c->body_end; ++k) {
 		const cni_motion *m = cni_motions(world) + sparse->bodies[k];

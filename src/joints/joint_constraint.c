@@ -225,7 +225,7 @@ void cni_joint_constraint_begin(cn_world *world, int32_t k, const cni_joint *j)
 	cni_joint_constraint *w = cni_joint_constraints(world) + k;
 	w->record = j;
 	w->make_rows = cni_joint_type_of(j->type)->rows;
-	w->numbers = cni_joint_numbers_of(world, k);
+	w->numbers = (cni_joint_numbers *)(void *)(cni_joint_constraints(world) + world->joint_work.capacity) + k; /* behind the constraints */
 	w->rows = w->numbers->rows;
 	w->joint = ((const int32_t *)world->awake_joints.data)[k];
 	w->lane = CNI_NONE;

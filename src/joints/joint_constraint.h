@@ -62,11 +62,6 @@ static inline cni_joint_constraint *cni_joint_constraints(const cn_world *world)
 {
 	return (cni_joint_constraint *)world->joint_work.data;
 }
-/* The numbers of joint constraint k. */
-static inline cni_joint_numbers *cni_joint_numbers_of(const cn_world *world, int32_t k)
-{
-	return (cni_joint_numbers *)(void *)(cni_joint_constraints(world) + world->joint_work.capacity) + k;
-}
 /* 1: a rope, a distance joint with limits alone. */
 static inline int32_t cni_joint_is_rope(const cni_joint *j)
 {
