@@ -120,8 +120,8 @@ static int32_t is_checked(const cn_world *world, const cni_sparse *sparse, const
 {
 	float most = 0.0f;
 	int32_t k, i;
-	for (k = c->begin; k < c->end && !c->loops; ++k)
-		for (i = 0; i < sparse->nodes[k].rows && sparse->nodes[k].owner >= 0; ++i)
+	for (k = c->begin; k < c->end && !c->loops && !c->has_contacts; ++k)
+		for (i = 0; i < sparse->nodes[k].rows; ++i)
 			if (!cni_joint_constraints(world)[sparse->nodes[k].owner].rows[i].angular)
 				most = cni_max(most, sparse->nodes[k].diagonal[i]);
 	return c->loops || most * c->heaviest > CNI_CHECKED_RATIO;
