@@ -190,7 +190,8 @@ void cni_shape_refilter(cn_world *world, int32_t shape)
 	for (child = 0; child < cni_shape_children(&world->blocks, s); ++child) {
 		cni_proxy *p = cni_proxy_at(world, cni_shape_proxy(world, s, child));
 		uint32_t is_static = cni_body_at(world, s->body)->type == CN_BODY_STATIC ? (uint32_t)CNI_PROXY_STATIC : 0u;
-		cni_seams_change(world, &p->fat);
+		if (!cni_is_dynamic(world, s->body) || (p->flags & CNI_PROXY_STATIC) || cni_shape_geometry(&world->blocks, s)->seams != 0)
+			cni_seams_change(world, &p->fat);
 		p->flags = (p->flags & ~(uint32_t)CNI_PROXY_STATIC) | is_static;
 		world->broadphase_ops->touch(world->broadphase, cni_shape_proxy(world, s, child));
 	}
