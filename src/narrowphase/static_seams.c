@@ -26,12 +26,10 @@ static float neighbour_add_seams(void *context, int32_t proxy, float limit)
 	const seam_search *s = (const seam_search *)context;
 	const cn_world *world = s->world;
 	const cni_proxy *p = cni_proxy_at(world, proxy), *own = cni_proxy_at(world, s->proxy);
-	const cni_shape *shape, *own_shape;
+	const cni_shape *shape = cni_shape_at(world, p->shape), *own_shape = cni_shape_at(world, own->shape);
 	const cni_body *a, *b;
 	const cni_geometry *g;
 	float slop = world->settings.slop;
-	shape = cni_shape_at(world, p->shape);
-	own_shape = cni_shape_at(world, own->shape);
 	if (proxy == s->proxy || (shape->body != own_shape->body && !(p->flags & own->flags & CNI_PROXY_STATIC)))
 		return limit;
 	g = cni_proxy_geometry(&world->blocks, p);
