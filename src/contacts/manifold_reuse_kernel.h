@@ -99,19 +99,21 @@ CNI_INLINE cni_mask is_round(const cni_reuse_pass *pass, cni_wide along_t, cni_w
 	return t & n;
 }
 
-CNI_INLINE reuse_kind reuse_kind_of(const cni_reuse_pass *pass, const cni_contact_block *k, const cni_block_info *info, int32_t l)
+CNI_INLINE reuse_kind reuse_kind_of(const cni_reuse_pass *pass, const reuse_pair *f, const cni_contact_block *k, const cni_block_info *info, int32_t l)
 {
-	cni_mask alone = cni_wide_load(k->p[1].nm + l) == cni_wide_of(0.0f);
+	cni_mask alone = cni_wide_load(k->p[1].nm + l) == cni_wide_of(0.0f), of_b = cni_mask_of_bits((uint32_t)info->of_b >> l);
 	reuse_kind r;
 	r.fixed = cni_mask_of_zero(k->ib + l);
-	r.of_b = r.fixed | cni_mask_of_bits((uint32_t)info->of_b >> l);
 	r.face = cni_mask_of_bits((uint32_t)info->face >> l);
+	r.of_b = r.fixed | (r.face & of_b);
 	r.points_of_b = cni_mask_of_bits((uint32_t)info->points_of_b >> l);
 	r.circles = r.round = cni_mask_of_bits(0);
 	if (cni_mask_bits(alone) != 0) {
 		cni_wide at = cni_wide_load(k->p[0].at + l), an = cni_wide_load(k->p[0].an + l), s = cni_wide_load(k->p[0].s0 + l);
 		cni_mask a = is_round(pass, at, an, s), b = is_round(pass, at - cni_wide_load(k->dt + l), an - cni_wide_load(k->dn + l), s);
-		r.circles = alone & a & b;
+		r.circles = alone & a & b & of_b & ~r.face;
+		a = a & (f->ma > cni_wide_of(0.0f)); /* the centre of a body without mass may be a corner of its shape */
+		b = b & (f->mb > cni_wide_of(0.0f));
 		r.round = r.circles | (alone & r.face & ((r.of_b & a) | (~r.of_b & b)));
 	}
 	return r;
@@ -229,7 +231,7 @@ CNI_INLINE cni_mask normal_lags(const cni_contact_block *k, int32_t l, cni_mask 
 CNI_INLINE uint32_t reuse_group(const cni_reuse_pass *pass, cni_contact_block *k, const cni_block_info *info, const cni_block_anchor *anchor, const cni_reuse_bodies *bodies, uint32_t anchored, int32_t l)
 {
 	reuse_pair f = reuse_gather(pass, k, bodies, l);
-	reuse_kind r = reuse_kind_of(pass, k, info, l);
+	reuse_kind r = reuse_kind_of(pass, &f, k, info, l);
 	reuse_change g = reuse_change_make(&f, &r, k, anchor, l);
 	reuse_point p = reuse_point_make(&g, &r, k, anchor, 0, l), q = reuse_point_make(&g, &r, k, anchor, 1, l);
 	cni_wide fa = cni_wide_load(k->fa + l) + cni_wide_select(q.used, 0.5f * (p.shift + q.shift), p.shift), fb = fa - g.dn;

@@ -126,7 +126,7 @@ typedef struct cni_block_info {
 	uint32_t fresh_step;             /* step + 1 of a lane's last begin of touching */
 	uint16_t fresh;                  /* ... lanes that began then, as bits; the solver clears lanes with an impulse, substep by substep */
 	uint16_t anchored;               /* bits of lanes with an anchor; of those: */
-	cni_lane_bits of_b;              /* ... the normal is that of a face of lane body b */
+	cni_lane_bits of_b;              /* ... the normal is that of a face of lane body b; without a face, both shapes are circles */
 	cni_lane_bits face;              /* ... corners or circles of one body touch a face of the other */
 	cni_lane_bits points_of_b;       /* ... the points are corners or circles of lane body b */
 	cni_lane_bits again;             /* bits of marked lanes: cni_contact_mark_again */

@@ -161,16 +161,22 @@ CNI_INLINE uint32_t edges_of(uint32_t id, uint32_t swap)
 	return swap ? edges >> 8 | edges << 8 : edges;
 }
 
+static uint32_t is_circle(const cn_world *world, int32_t proxy)
+{
+	return cni_shape_geometry(&world->blocks, cni_shape_at(world, cni_proxy_at(world, proxy)->shape))->type == CN_SHAPE_CIRCLE;
+}
+
 /* What normal and points move with. The manifold's axis names the face, where there is one; a single corner on a corner has none. Points are
    taken to be of the face's body unless all are corners of the other. */
-CNI_INLINE void anchor_write_kind(const cni_contact *c, int32_t ib, cni_block_info *info, uint32_t l, int32_t points)
+CNI_INLINE void anchor_write_kind(const cn_world *world, const cni_contact *c, int32_t ib, cni_block_info *info, uint32_t l, int32_t points)
 {
 	uint32_t flipped = (c->flags & CNI_CONTACT_FLIPPED) != 0, axis_of_b = c->cache.axis > CN_POLYGON_MAX_VERTICES;
 	uint32_t edges = edges_of(c->id[0], axis_of_b), others = points == 2 ? edges_of(c->id[1], axis_of_b) : edges; /* bit 8: of the face's body */
 	uint32_t incident = edges >> 8 & ~edges & others >> 8 & ~others & 1u;
 	uint32_t has_face = c->cache.axis != 0 && (points == 2 || ((edges ^ edges >> 8) & 1u));
 	uint32_t of_b = has_face & (axis_of_b ^ flipped), face = has_face & (of_b | (ib != 0));
-	info->of_b = (cni_lane_bits)cni_bits_with(info->of_b, l, of_b);
+	uint32_t circles = c->cache.axis == 0 && is_circle(world, c->proxy[0]) && is_circle(world, c->proxy[1]);
+	info->of_b = (cni_lane_bits)cni_bits_with(info->of_b, l, of_b | circles);
 	info->face = (cni_lane_bits)cni_bits_with(info->face, l, face);
 	info->points_of_b = (cni_lane_bits)cni_bits_with(info->points_of_b, l, face ? of_b ^ incident : ib == 0);
 }
@@ -198,7 +204,7 @@ CNI_INLINE void anchor_write(cn_world *world, const cni_contact *c, const cni_co
 			normal_keep(info, anchor, l, 0, f->a->q, f->n); /* for lane_normal */
 		return;
 	}
-	anchor_write_kind(c, block->ib[l], info, l, points);
+	anchor_write_kind(world, c, block->ib[l], info, l, points);
 	of_b = info->of_b >> l & 1u;
 	normal_keep(info, anchor, l, of_b, of_b ? f->b->q : f->a->q, f->n);
 	turn = cni_rot_between(f->a->q, f->b->q);

@@ -23,9 +23,9 @@ static const arch_scene arch_scenes[ARCH_SCENES] = {
 	{ "direct", scene_direct, 0xa7049e90560e8378 },
 	{ "tiers", scene_tiers, 0xaac243300a7097c8 },
 	{ "sequential", scene_sequential, 0x6bc77927e99d3264 },
-	{ "queries", scene_queries, 0xb60042162b4b3322 },
-	{ "events", scene_events, 0xf63e04fb9cdf35da },
-	{ "file", scene_file, 0x54bc850b4401dac6 },
+	{ "queries", scene_queries, 0xb79cb4644a093b1c },
+	{ "events", scene_events, 0xfd53d796fbf5ed20 },
+	{ "file", scene_file, 0xdc6ee3e78651a7ee },
 };
 
 /* The number of a scene; 0 if a call failed: arch_failed_line. */

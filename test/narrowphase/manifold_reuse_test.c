@@ -322,6 +322,57 @@ static void what_slides_off_a_face_is_computed_anew(void)
 	}
 }
 
+/* A ball rolls off the origin of its ground's body, or off the middle of a heavy capsule. Returns by how much it sinks. */
+static double sinking(int32_t ground, float speed)
+{
+	cn_world *world = fixture_world(-10.0f, 0);
+	cn_body below, ball;
+	cn_shape_def def;
+	cn_pose pose;
+	float top = ground == 4 ? 0.4f : 0.0f;
+	double lowest = 1.0;
+	int32_t k;
+	if (ground == 4)
+		fixture_floor(world, 0.6f, 0.0f);
+	below = fixture_body(world, ground == 4 ? CN_BODY_DYNAMIC : ground == 3 ? CN_BODY_KINEMATIC : CN_BODY_STATIC, 0.0f, 0.5f * top, 0.0f);
+	def = fixture_shape_def(below, 0.6f, 0.0f);
+	def.density_kgpm2 = 1000.0f;
+	for (k = -1; k <= 1; ++k) {
+		cn_edge edge = { { ground == 1 ? -3.0f : 1.5f * (float)(k - 1), 0.0f }, { ground == 1 ? 3.0f : 1.5f * (float)(k + 1), 0.0f } };
+		cn_capsule capsule = { { -3.0f, 0.0f }, { 3.0f, 0.0f }, 0.2f };
+		def.offset_m.y = ground == 0 || ground == 3 ? -0.5f : 0.0f;
+		if (k == 0 && (ground == 0 || ground == 3))
+			fixture_box_shape(world, &def, 3.0f, 0.5f);
+		if (ground == 1 ? k == 0 : ground == 2 && k != 0)
+			must(cn_shape_create_edge(world, &def, &edge, NULL), world, "cn_shape_create_edge");
+		if (k == 0 && ground == 4)
+			must(cn_shape_create_capsule(world, &def, &capsule, NULL), world, "cn_shape_create_capsule");
+	}
+	ball = fixture_circle(world, CN_BODY_DYNAMIC, 0.0f, top + 0.2f, 0.2f, 0.6f, 0.0f);
+	must(cn_body_set_velocity(world, ball, speed, 0.0f, -speed / 0.2f), world, "cn_body_set_velocity");
+	for (k = 0; k < 180; ++k) {
+		fixture_step(world, 1);
+		must(cn_body_get_pose(world, ball, &pose), world, "cn_body_get_pose");
+		lowest = fmin(lowest, (double)pose.position_m.y);
+	}
+	cn_world_destroy(world);
+	return (double)top + 0.2 - lowest;
+}
+
+/* Such a point of a body has no arm either, but the body is no circle. */
+static void what_rolls_over_a_center_stays_above(void)
+{
+	static const char *const grounds[] = { "box", "edge", "two edges", "kinematic box", "capsule" };
+	int32_t ground, k;
+	for (ground = 0; ground < 5; ++ground) {
+		double deepest = 0.0;
+		for (k = 0; k < 30; ++k)
+			deepest = fmax(deepest, sinking(ground, 0.5f * powf(0.8f, (float)k)));
+		printf("  %s:\n", grounds[ground]);
+		CHECK_LE("sinks by", deepest, SAG_M, "m");
+	}
+}
+
 static int32_t lanes_followed(cn_world *world)
 {
 	int32_t total, k, lanes = 0;
@@ -404,6 +455,7 @@ int main(void)
 	RUN(what_rides_along_is_followed);
 	RUN(points_slide_with_their_corners);
 	RUN(what_slides_off_a_face_is_computed_anew);
+	RUN(what_rolls_over_a_center_stays_above);
 	RUN(what_changes_is_computed_anew);
 	return test_end();
 }
