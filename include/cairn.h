@@ -451,10 +451,10 @@ enum {
 	CN_TIER_REASON_SOLVER = 6,      /* the world's solver is not CN_SOLVER_AUTO */
 	CN_TIER_REASON_OVERRIDE = 7,    /* a body's own solver: cn_body_set_solver */
 	CN_TIER_REASON_ALONE = 8,       /* soft: a single body */
-	CN_TIER_REASON_MOVING = 9,      /* soft: a problem, but the island moves too fast, or did a short time ago */
+	CN_TIER_REASON_MOVING = 9,      /* soft: a problem, but the island moves too fast, bounces, or did a short time ago */
 	CN_TIER_REASON_CROWDED = 10,    /* soft: a problem, but the island or the sum of such islands is too large */
 	CN_TIER_REASON_WORK = 11,       /* soft for a time: the system exceeds the work limit or the work_budget */
-	CN_TIER_REASON_KIND = 12,       /* soft for a time: restitution, a conveyor, rolling resistance or a locked axis */
+	CN_TIER_REASON_KIND = 12,       /* soft for a time: a conveyor, a locked axis, or rolling resistance at a single point */
 	CN_TIER_REASON_NO_SET = 13,     /* soft for a time: no solution was found for its contacts; it stays awake while it moves at all */
 	CN_TIER_REASON_MEMORY = 14,     /* soft: no scratch memory (CN_WARNING_FRAME_MEMORY) */
 	CN_TIER_REASON_JOINTED = 15     /* soft contacts: a problem, but the island has joints (which are solved directly) */

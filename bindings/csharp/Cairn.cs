@@ -1571,13 +1571,13 @@ namespace Cairn
 		public const int CN_TIER_REASON_OVERRIDE = 7;
 		/// <summary>soft: a single body</summary>
 		public const int CN_TIER_REASON_ALONE = 8;
-		/// <summary>soft: a problem, but the island moves too fast, or did a short time ago</summary>
+		/// <summary>soft: a problem, but the island moves too fast, bounces, or did a short time ago</summary>
 		public const int CN_TIER_REASON_MOVING = 9;
 		/// <summary>soft: a problem, but the island or the sum of such islands is too large</summary>
 		public const int CN_TIER_REASON_CROWDED = 10;
 		/// <summary>soft for a time: the system exceeds the work limit or the work_budget</summary>
 		public const int CN_TIER_REASON_WORK = 11;
-		/// <summary>soft for a time: restitution, a conveyor, rolling resistance or a locked axis</summary>
+		/// <summary>soft for a time: a conveyor, a locked axis, or rolling resistance at a single point</summary>
 		public const int CN_TIER_REASON_KIND = 12;
 		/// <summary>soft for a time: no solution was found for its contacts; it stays awake while it moves at all</summary>
 		public const int CN_TIER_REASON_NO_SET = 13;

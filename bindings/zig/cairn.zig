@@ -187,13 +187,13 @@ pub const CN_TIER_REASON_SOLVER = 6;
 pub const CN_TIER_REASON_OVERRIDE = 7;
 /// soft: a single body
 pub const CN_TIER_REASON_ALONE = 8;
-/// soft: a problem, but the island moves too fast, or did a short time ago
+/// soft: a problem, but the island moves too fast, bounces, or did a short time ago
 pub const CN_TIER_REASON_MOVING = 9;
 /// soft: a problem, but the island or the sum of such islands is too large
 pub const CN_TIER_REASON_CROWDED = 10;
 /// soft for a time: the system exceeds the work limit or the work_budget
 pub const CN_TIER_REASON_WORK = 11;
-/// soft for a time: restitution, a conveyor, rolling resistance or a locked axis
+/// soft for a time: a conveyor, a locked axis, or rolling resistance at a single point
 pub const CN_TIER_REASON_KIND = 12;
 /// soft for a time: no solution was found for its contacts; it stays awake while it moves at all
 pub const CN_TIER_REASON_NO_SET = 13;

@@ -29,6 +29,8 @@ void cni_impulse_sums_strike(cn_world *world, int32_t contact, float normal, flo
 void cni_impulse_sums_report(cn_world *world);
 /* Sets impulses and loads of new piles that are too large for the direct solver. Runs before the warm start. */
 void cni_gravity_preload(cn_world *world, const cni_solve *s);
+/* 1: without a locked axis, a conveyor or, where a single point may roll, rolling resistance. */
+int32_t cni_lane_is_plain(const cn_world *world, int32_t block, int32_t l);
 /* Returns 1 if every body of a quiet island is held by bodies below it, 0 if bodies lean on each other or bear far from the middle of their
    supports. */
 int32_t cni_pile_is_supported(cn_world *world, int32_t island, float h);

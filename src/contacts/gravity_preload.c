@@ -91,11 +91,10 @@ static void support_read(support *p, cni_contact_block *k, int32_t l, int32_t is
 	p->rows[2] = is_b ? row_make(ny, -nx, scale * k->fb[l], k->fa[l]) : row_make(ny, -nx, -scale * k->fa[l], -k->fb[l]);
 }
 
-/* Contacts with locked axes, conveyors or rolling resistance are not preloaded. */
-static int32_t lane_is_plain(const cn_world *world, int32_t block, int32_t l)
+int32_t cni_lane_is_plain(const cn_world *world, int32_t block, int32_t l)
 {
 	const cni_block_extra *x = cni_block_info_at(world, block)->flags & CNI_BLOCK_EXTRA ? cni_block_extra_at(world, block) : NULL;
-	return x == NULL || (x->rolling[l] == 0.0f && x->tangent_speed[l] == 0.0f &&
+	return x == NULL || ((x->rolling[l] == 0.0f || cni_block_at(world, block)->p[1].nm[l] > 0.0f) && x->tangent_speed[l] == 0.0f &&
 	                     x->lock_ax[l] + x->lock_ay[l] + x->lock_bx[l] + x->lock_by[l] == 0.0f);
 }
 
@@ -118,7 +117,7 @@ static int32_t supports_collect(const pile *q, int32_t index, float scale, balan
 			continue;
 		if (cni_body_at(q->world, other)->type == CN_BODY_DYNAMIC && is_above(q, cni_body_at(q->world, other)->awake, index))
 			continue;
-		if (out->count == SUPPORTS_MOST || !lane_is_plain(q->world, block, l))
+		if (out->count == SUPPORTS_MOST || !cni_lane_is_plain(q->world, block, l))
 			return 0;
 		support_read(&out->supports[out->count++], cni_block_at(q->world, block), l, cni_block_at(q->world, block)->ia[l] != index, scale);
 	}
@@ -360,11 +359,6 @@ static int32_t island_is_due(const cn_world *world, int32_t island)
 	       i->solver != CN_SOLVER_SOFT && cni_island_is_quiet(world, i) && !cni_island_has_joints(world, island);
 }
 
-static int32_t body_is_due(const cn_world *world, const cni_body *b)
-{
-	return (b->flags & CNI_BODY_SET_DOWN) && !cni_body_is_jointed(world, b) && cni_body_is_quiet(world, b);
-}
-
 static void island_unheld(cn_world *world, int32_t island)
 {
 	cni_island_at(world, island)->unheld_step = world->step_count + 1u;
@@ -377,7 +371,7 @@ static void due_find(pile *q, int32_t index, int32_t island)
 	int32_t body = cni_awake_ids(q->world)[index];
 	if (island == CNI_NONE) {
 		cni_body *b = cni_body_at(q->world, body);
-		if (body_is_due(q->world, b))
+		if ((b->flags & CNI_BODY_SET_DOWN) && !cni_body_is_jointed(q->world, b) && cni_body_is_quiet(q->world, b))
 			q->order[q->count++] = (uint32_t)index;
 		b->flags &= ~(uint32_t)CNI_BODY_SET_DOWN;
 	} else if (cni_island_at(q->world, island)->first == body && island_is_due(q->world, island)) {

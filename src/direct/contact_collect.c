@@ -28,15 +28,6 @@ float cni_direct_lane_tangent_speed(const cn_world *world, const cni_contact *c)
 	return x != NULL ? x->tangent_speed[c->slot % CNI_LANES] : 0.0f;
 }
 
-static int32_t lane_is_plain(const cn_world *world, const cni_contact *c)
-{
-	const cni_block_extra *x = extra_rows(world, c);
-	int32_t l = c->slot % CNI_LANES;
-	if (cni_block_info_at(world, c->slot / CNI_LANES)->restitution[l] > 0.0f || cni_direct_lane_is_locked(world, c))
-		return 0;
-	return x == NULL || (x->rolling[l] == 0.0f && x->tangent_speed[l] == 0.0f);
-}
-
 /*
  * Friction at its bound slides, or is at the limit of a redundant system: in a standing house of cards a tenth of all contacts are. If they began
  * active, every step would search for the set anew. Where the static coefficient is greater the two cannot be distinguished.
@@ -83,6 +74,19 @@ void cni_direct_contact_read(const cn_world *world, const cni_contact *c, cni_di
 	friction_guess(p);
 }
 
+/* 1: the contact closes so fast that it bounces. A slower one does not, whatever its restitution. */
+static int32_t bounces(const cn_world *world, const cni_contact *c)
+{
+	cni_direct_contact p;
+	int32_t i, fast = 0;
+	if (cni_block_info_at(world, c->slot / CNI_LANES)->restitution[c->slot % CNI_LANES] <= 0.0f)
+		return 0;
+	cni_direct_contact_read(world, c, &p);
+	for (i = 0; i < 2; ++i)
+		fast |= p.mass[i] > 0.0f && cni_direct_contact_speed(&p, i, cni_motions(world) + p.ia, cni_motions(world) + p.ib) < -world->settings.restitution_threshold;
+	return fast;
+}
+
 int32_t cni_direct_contacts_collect(const cn_world *world, int32_t island, int32_t *contacts, int32_t room)
 {
 	int32_t body, key, count = 0;
@@ -94,8 +98,10 @@ int32_t cni_direct_contacts_collect(const cn_world *world, int32_t island, int32
 				continue;
 			if (cni_body_at(world, other)->type == CN_BODY_DYNAMIC && (key & 1))
 				continue; /* collected at its other body */
-			if (!lane_is_plain(world, c))
+			if (!cni_lane_is_plain(world, c->slot / CNI_LANES, c->slot % CNI_LANES))
 				return CNI_DIRECT_CONTACTS_KIND;
+			if (bounces(world, c))
+				return CNI_DIRECT_CONTACTS_BOUNCE;
 			if (count == room)
 				return CNI_DIRECT_CONTACTS_MANY;
 			contacts[count++] = key >> 1;
@@ -120,8 +126,12 @@ void cni_direct_contacts_extract(cn_world *world, cni_sparse *sparse)
 {
 	const float idle[3] = { 0.0f, 0.0f, 0.0f };
 	int32_t k;
-	for (k = 0; k < sparse->contact_count; ++k)
-		lane_write(world, &sparse->contacts[k], idle, idle, idle);
+	for (k = 0; k < sparse->contact_count; ++k) {
+		const cni_direct_contact *p = &sparse->contacts[k];
+		lane_write(world, p, idle, idle, idle);
+		if (cni_block_info_at(world, p->block)->flags & CNI_BLOCK_EXTRA)
+			cni_block_extra_at(world, p->block)->rolling_impulse[p->lane] = 0.0f;
+	}
 }
 
 /* Lanes of extracted contacts hold no impulses: theirs are added here. */

@@ -123,9 +123,9 @@ void cni_direct_contact_read(const cn_world *world, const cni_contact *c, cni_di
 /* Separation of a point now. */
 float cni_direct_contact_separation(const cni_direct_contact *p, int32_t point, const cni_motion *a, const cni_motion *b);
 
-/* Lists the touching contacts of an island. Returns their number, or that there are more than `room`, or that one is of an unsupported
-   kind. */
-enum { CNI_DIRECT_CONTACTS_MANY = -1, CNI_DIRECT_CONTACTS_KIND = -2 };
+/* Lists the touching contacts of an island. Returns their number, or the reason (CN_TIER_REASON_) less than 0 why it stays soft: there are
+   more than `room`, one is of an unsupported kind, one bounces. */
+enum { CNI_DIRECT_CONTACTS_MANY = -CN_TIER_REASON_CROWDED, CNI_DIRECT_CONTACTS_KIND = -CN_TIER_REASON_KIND, CNI_DIRECT_CONTACTS_BOUNCE = -CN_TIER_REASON_MOVING };
 int32_t cni_direct_contacts_collect(const cn_world *world, int32_t island, int32_t *contacts, int32_t room);
 /* Takes the impulses of planned contacts out of their lanes and makes the lanes idle. */
 void cni_direct_contacts_extract(cn_world *world, cni_sparse *sparse);

@@ -74,12 +74,6 @@ static int32_t full_work_is_allowed(const cn_world *world)
 	return world->settings.solver == CN_SOLVER_DIRECT || !world->memory.fixed;
 }
 
-/* The flag `overridden` skips this test in worlds in which no joint ever had a solver of its own. */
-static int32_t joint_stays_soft(const cn_world *world, const cni_joint_constraint *w)
-{
-	return world->overridden && w->record->solver == CN_SOLVER_SOFT;
-}
-
 /* 1: a joint of its island asks for the limits of CN_SOLVER_DIRECT. */
 static int32_t joint_has_full_work(const cn_world *world, const cni_joint_constraint *w)
 {
@@ -97,7 +91,7 @@ static int32_t is_left_soft(const cn_world *world, const cni_joint_constraint *w
 
 static int32_t constraint_is_eligible(const cn_world *world, const cni_joint_constraint *w)
 {
-	if (!CNI_ON(DIRECT_JOINTS) || joint_stays_soft(world, w))
+	if (!CNI_ON(DIRECT_JOINTS) || (world->overridden && w->record->solver == CN_SOLVER_SOFT)) /* overridden: some joint has a solver of its own */
 		return 0;
 	return (w->rigid_count > 0 || (w->flags & CNI_CONSTRAINT_TAUT)) && !is_left_soft(world, w) && !(w->flags & (CNI_CONSTRAINT_SPRINGY | CNI_CONSTRAINT_BOUNDED)) &&
 	       !(w->ia != 0 && body_is_locked(world, w->ia)) && !(w->ib != 0 && body_is_locked(world, w->ib));
@@ -131,7 +125,7 @@ static int32_t contacts_collect(cn_world *world, int32_t *contacts, int32_t room
 	for (k = 0; k < world->direct_islands.count; ++k) {
 		int32_t count = cni_direct_contacts_collect(world, islands[k], contacts + all, room - all);
 		if (count < 0)
-			cni_island_refuse(world, islands[k], count == CNI_DIRECT_CONTACTS_MANY ? CN_TIER_REASON_CROWDED : CN_TIER_REASON_KIND);
+			cni_island_refuse(world, islands[k], -count);
 		else
 			all += count;
 	}
