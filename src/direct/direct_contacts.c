@@ -60,26 +60,29 @@ static void impulses_scale(const cni_direct_contact_pass *q)
 /*
  * No set was found: the soft solver continues from the velocities at the beginning of the substep and the impulses at the beginning of the
  * step. An exact solution sends an impact or a push through everything in its way: a body of a kilogram between two of a ton has the
- * impulses of both, which cancel to a thousandth. A soft solver that started from them would throw it.
+ * impulses of both, which cancel to a thousandth. A soft solver that started from them would throw it. All are reduced by the same part:
+ * where kinematic bodies squeeze a row, those on both sides of a body cancel.
  */
 static void soft_state_restore(const cni_direct_contact_pass *q)
 {
 	int32_t i, all = q->c->joints == 0;
+	float part = 1.0f;
 	cni_direct_contact *p;
 	if (all)
 		cni_direct_contact_impulses_clear(q);
 	else
 		state_save(q, 1);
+	for (p = q->first; p < q->end; ++p)
+		if (all || p->untouched)
+			part = cni_min(part, cni_direct_soft_part(q->world, p->first[0] + p->first[1], p->ia, p->ib));
 	for (p = q->first; p < q->end; ++p) {
-		float part;
 		if (!all && !p->untouched)
 			continue;
 		p->untouched = 1;
-		part = q->s->warm_scale * cni_direct_soft_part(q->world, p->first[0] + p->first[1], p->ia, p->ib);
 		for (i = 0; i < 3; ++i) {
-			p->j[i] = part * p->first[i];
+			p->j[i] = part * q->s->warm_scale * p->first[i];
 			if (i < 2)
-				p->load[i] *= part;
+				p->load[i] *= part * q->s->warm_scale;
 			cni_direct_contact_push(p, i, p->j[i], q->motions + p->ia, q->motions + p->ib);
 		}
 	}
@@ -253,18 +256,14 @@ static int32_t is_denied(const cni_direct_contact_pass *q)
 	return world->cone_work > 0 && world->cone_work + world->set_work + 2 * CNI_CONE_FACTORS_LEAST * cni_cone_factor_work(q->c) > cni_attempt_work_most(world, q->c);
 }
 
-static int32_t owes_too_much(const cni_direct_contact_pass *q)
-{
-	return cni_cone_debt(q->world, q->island) + CNI_CONE_FACTORS_LEAST * work_a_contact(q) > CNI_CONE_DEBT;
-}
-
 /* 1: the interior-point method may run, in all substeps as long as the island's debt and the work of the step allow. A relax pass takes out
    the speed of the pushes that the pass before it has made, whatever is owed. */
 static int32_t cone_is_admitted(cni_direct_contact_pass *q)
 {
 	if (!q->bias && q->c->cone_pushed)
 		return 1;
-	if (is_large(q) || (q->world->settings.solver == CN_SOLVER_AUTO && (was_moving(q) || owes_too_much(q))))
+	if (is_large(q) || (q->world->settings.solver == CN_SOLVER_AUTO &&
+	    (was_moving(q) || cni_cone_debt(q->world, q->island) + CNI_CONE_FACTORS_LEAST * work_a_contact(q) > CNI_CONE_DEBT)))
 		return 0;
 	q->denied = is_denied(q);
 	if (q->denied)

@@ -180,12 +180,6 @@ static cni_heavy_contact heavy_make(const cn_world *world, const cni_solve *s, i
 
 static int32_t bounces(const cni_heavy_contact *h) { return h->bounce[0] + h->bounce[1] > 0.0f; }
 
-/* 1: the other body, which is not heavier, is in no component that could list the contact. */
-static int32_t is_free(const cn_world *world, const cni_body *other)
-{
-	return !(cni_externals(world)[other->awake].flags & CNI_EXTERNAL_JOINTED);
-}
-
 /* Do the joints bear an impact with it? */
 static int32_t is_borne(const cn_world *world, const cni_heavy_contact *h)
 {
@@ -248,7 +242,8 @@ static void body_contacts_list(const cn_world *world, const cni_solve *s, cni_sp
 			continue;
 		h = heavy_make(world, s, component, key >> 1);
 		h.is_light = (uint8_t)light;
-		if (light ? bounces(&h) && is_free(world, other) : is_pressed(world, s, key >> 1, inv_mass == 0.0f, slow))
+		/* A jointed body that is not heavier is in a component that could list the contact itself. */
+		if (light ? bounces(&h) && !(cni_externals(world)[other->awake].flags & CNI_EXTERNAL_JOINTED) : is_pressed(world, s, key >> 1, inv_mass == 0.0f, slow))
 			sparse->heavies[sparse->heavy_count++] = h;
 	}
 }

@@ -17,12 +17,6 @@
 
 #include <string.h>
 
-/* Most rounds of contacts of a component in a substep: an impact travels through a tree joint by joint. */
-static int32_t rounds_of(const cni_component *c)
-{
-	return cni_max_i(1, cni_min_i(c->end - c->begin - 1, CNI_PROJECTION_ROUNDS));
-}
-
 void cni_projection_mark(const cn_world *world, cni_sparse *sparse)
 {
 	int32_t k, i;
@@ -208,7 +202,8 @@ static int32_t projections_run(cn_world *world, const cni_solve *s, int32_t roun
 	for (k = 0; k < s->direct->component_count; ++k) {
 		cni_projection *p = &s->direct->projections[k];
 		cni_component *c = &s->direct->components[k];
-		p->opening = p->selected && (c->batches ? lane_project(world, s, c) : component_project(world, s, c)) && round < rounds_of(c);
+		int32_t most = cni_max_i(1, cni_min_i(c->end - c->begin - 1, CNI_PROJECTION_ROUNDS)); /* an impact travels through a tree joint by joint */
+		p->opening = p->selected && (c->batches ? lane_project(world, s, c) : component_project(world, s, c)) && round < most;
 		opening |= p->opening;
 	}
 	return opening;
