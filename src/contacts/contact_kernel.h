@@ -560,27 +560,15 @@ CNI_INLINE uint32_t group_closing(const float *starts, const cni_contact_block *
 {
 	side a, b;
 	cni_wide jumped_a, jumped_b;
-	cni_mask closes, bounces;
+	cni_mask hit, closes, bounces;
 	cni_wide_gather4(starts, 4, k->ia + l, &a.vx, &a.vy, &a.w, &jumped_a);
 	cni_wide_gather4(starts, 4, k->ib + l, &b.vx, &b.vy, &b.w, &jumped_b);
-	if (cni_mask_bits(cni_wide_max(jumped_a, jumped_b) >= cni_wide_of(since)) == 0)
+	hit = cni_wide_max(jumped_a, jumped_b) >= cni_wide_of(since);
+	if (cni_mask_bits(hit) == 0)
 		return 0;
 	closes = point_closes(k, &k->p[0], l, &a, &b, speed) | point_closes(k, &k->p[1], l, &a, &b, speed);
 	bounces = cni_wide_load_loose(info->restitution + l) > cni_wide_of(0.0f);
-	return cni_mask_bits(closes & bounces) << l;
-}
-
-#define CLOSING_AHEAD 2 /* blocks whose memory is asked for */
-
-/* Prefetches the rows of a block that kernel_closing reads. */
-CNI_INLINE void closing_prefetch(const cni_listed_block *b)
-{
-	CNI_PREFETCH(&b->info->flags);
-	CNI_PREFETCH(b->info->restitution);
-	cni_lines_prefetch(b->rows->ia, (int32_t)offsetof(cni_contact_block, static_friction));
-	CNI_PREFETCH(b->rows->dt);
-	cni_lines_prefetch(b->rows->p[0].at, (int32_t)offsetof(cni_contact_row, load));
-	cni_lines_prefetch(b->rows->p[1].at, (int32_t)offsetof(cni_contact_row, load));
+	return cni_mask_bits(hit & closes & bounces) << l;
 }
 
 static void kernel_closing(const cni_velocity_start *starts, const cni_listed_block *blocks, int32_t count, float speed, float since, uint32_t *closing)
@@ -589,8 +577,6 @@ static void kernel_closing(const cni_velocity_start *starts, const cni_listed_bl
 	for (k = 0; k < count; ++k) {
 		const cni_listed_block *b = &blocks[k];
 		closing[k] = 0;
-		if (k + CLOSING_AHEAD < count)
-			closing_prefetch(&blocks[k + CLOSING_AHEAD]);
 		if (b->info->flags & CNI_BLOCK_RESTITUTION)
 			for (l = 0; l < b->lanes; l += CNI_WIDTH)
 				closing[k] |= group_closing((const float *)(const void *)starts, b->rows, b->info, speed, since, l);
