@@ -578,7 +578,7 @@ static void kernel_closing(const cni_velocity_start *starts, const cni_listed_bl
 		const cni_listed_block *b = &blocks[k];
 		closing[k] = 0;
 		if (b->info->flags & CNI_BLOCK_RESTITUTION)
-			for (l = 0; l < b->lanes; l += CNI_WIDTH)
+			for (l = b->begin; l < b->lanes; l += CNI_WIDTH)
 				closing[k] |= group_closing((const float *)(const void *)starts, b->rows, b->info, speed, since, l);
 	}
 }

@@ -186,7 +186,7 @@ static void color_sweep_run(void *context, int32_t begin, int32_t end)
 		cni_atomic_add(&c->hits, (uint32_t)found.hits);
 }
 
-/* In the overflow colour a body may be in several lanes, and one impact may cause another: lanes are solved one by one. */
+/* In the overflow colour a body may be in several lanes, and one impact may cause another: lanes are searched and solved one by one. */
 static void overflow_sweep(color_sweep *c, int32_t count)
 {
 	found_lanes found;
@@ -196,10 +196,15 @@ static void overflow_sweep(color_sweep *c, int32_t count)
 	c->kernel = &cni_contact_kernel_plain;
 	for (k = 0; k < count; ++k)
 		for (l = 0; l < c->blocks[k].lanes; ++l) {
-			if (c->blocks[k].info->restitution[l] == 0.0f)
+			cni_listed_block lane = c->blocks[k];
+			uint32_t closing;
+			lane.begin = (cni_listed_number)l;
+			lane.lanes = (cni_listed_number)(l + 1);
+			c->kernel->closing(c->pass.starts, &lane, 1, c->pass.speed, c->since, &closing);
+			if (closing == 0)
 				continue;
 			c->pass.one_sided = c->blocks[k].rows->ib[l] == 0;
-			found_add(c, &found, &c->blocks[k], 1u << l);
+			found_add(c, &found, &c->blocks[k], closing);
 			found_solve(c, &found);
 		}
 	c->hits += (uint32_t)found.hits;
