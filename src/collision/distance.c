@@ -17,9 +17,9 @@
 #define ITERATIONS_MAX 40
 
 typedef struct vertex {
-	cni_vec2 a, b, w; /* support points and b - a */
+	cni_vec2 w;       /* difference of the support points, b - a */
 	float share;      /* barycentric */
-	int32_t ia, ib;
+	int32_t ia, ib;   /* of the support points */
 } vertex;
 
 typedef struct simplex {
@@ -49,8 +49,7 @@ static int32_t support(const cni_vec2 *points, int32_t count, cni_vec2 direction
 
 static vertex vertex_make(const query *q, int32_t ia, int32_t ib)
 {
-	cni_vec2 a = q->points_a[ia], b = cni_transform_point(q->b_in_a, q->points_b[ib]);
-	vertex v = { a, b, cni_sub(b, a), 1.0f, ia, ib };
+	vertex v = { cni_sub(cni_transform_point(q->b_in_a, q->points_b[ib]), q->points_a[ia]), 1.0f, ia, ib };
 	return v;
 }
 
@@ -181,8 +180,8 @@ cni_closest cni_closest_find(const cni_vec2 *points_a, int32_t count_a, const cn
 	out.point_a = cni_v(0.0f, 0.0f);
 	out.point_b = cni_v(0.0f, 0.0f);
 	for (int32_t i = 0; i < s.count; ++i) {
-		out.point_a = cni_madd(out.point_a, s.v[i].share, s.v[i].a);
-		out.point_b = cni_madd(out.point_b, s.v[i].share, s.v[i].b);
+		out.point_a = cni_madd(out.point_a, s.v[i].share, points_a[s.v[i].ia]);
+		out.point_b = cni_madd(out.point_b, s.v[i].share, cni_transform_point(b_in_a, points_b[s.v[i].ib]));
 	}
 	out.distance = s.count == 3 ? 0.0f : simplex_distance(&s);
 	out.normal = out.distance > 0.0f ? cni_normalize(simplex_offset(&s)) : cni_v(0.0f, 0.0f);

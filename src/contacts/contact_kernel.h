@@ -96,7 +96,8 @@ CNI_INLINE cni_wide hardness(const cni_contact_pass *pass, cni_wide s, cni_wide 
 	return deep / (1.0f + crush * crush);
 }
 
-/* bias: 1 the soft pass, 0 the rigid relax pass. bounces: restitution of the block's lanes, NULL: none. */
+/* bias: 1 the soft pass, 0 the rigid relax pass. bounces: restitution of the block's lanes, NULL: none is above
+   CNI_BOUNCE_DELAY_RESTITUTION. */
 CNI_INLINE point point_prepare(const cni_contact_block *k, const cni_contact_row *p, int32_t l, const side *a, const side *b, const cni_contact_pass *pass, int32_t bias, const float *bounces)
 {
 	point q;
@@ -403,7 +404,7 @@ CNI_INLINE void solve_plain(cni_motion *motions, const cni_listed_block *b, cons
 		solve_group(motions, b->rows, NULL, l, pass, fresh, bias, bounces);
 }
 
-/* The groups of a block with extra rows or restitution. Outlined variants, as such blocks are few. */
+/* The groups of a block with extra rows or high restitution. Outlined variants, as such blocks are few. */
 static void solve_rare(cni_motion *motions, const cni_listed_block *b, const cni_contact_pass *pass, uint32_t fresh, int32_t bias)
 {
 	const float *bounces = b->info->restitution;
@@ -420,7 +421,7 @@ static void solve_rare(cni_motion *motions, const cni_listed_block *b, const cni
 		solve_plain(motions, b, pass, fresh, 0, bounces);
 }
 
-/* Blocks without extra rows and restitution get code without them. */
+/* Blocks without extra rows and high restitution get code without them. */
 CNI_INLINE void solve_blocks(const cni_color_pass *c, int32_t begin, int32_t end, int32_t bias)
 {
 	int32_t k;
@@ -430,7 +431,7 @@ CNI_INLINE void solve_blocks(const cni_color_pass *c, int32_t begin, int32_t end
 		uint32_t fresh = block_fresh(b);
 		if (c->prefetches)
 			cni_blocks_prefetch(c, k, end);
-		if (b->extra == NULL && !(b->info->flags & CNI_BLOCK_RESTITUTION))
+		if (b->extra == NULL && !(b->info->flags & CNI_BLOCK_BOUNCES))
 			solve_plain(c->motions, b, pass, fresh, bias, NULL);
 		else
 			solve_rare(c->motions, b, pass, fresh, bias);
@@ -455,7 +456,7 @@ static void kernel_again(const cni_color_pass *c, int32_t begin, int32_t end)
 	int32_t k, l;
 	for (k = begin; k < end; ++k) {
 		const cni_listed_block *b = &c->blocks[k];
-		const float *bounces = b->info->flags & CNI_BLOCK_RESTITUTION ? b->info->restitution : NULL;
+		const float *bounces = b->info->flags & CNI_BLOCK_BOUNCES ? b->info->restitution : NULL;
 		uint32_t again = b->info->again;
 		b->info->again = 0;
 		for (l = b->begin; again >> l != 0; l += CNI_WIDTH) {
@@ -559,27 +560,15 @@ CNI_INLINE uint32_t group_closing(const float *starts, const cni_contact_block *
 {
 	side a, b;
 	cni_wide jumped_a, jumped_b;
-	cni_mask closes, bounces;
+	cni_mask hit, closes, bounces;
 	cni_wide_gather4(starts, 4, k->ia + l, &a.vx, &a.vy, &a.w, &jumped_a);
 	cni_wide_gather4(starts, 4, k->ib + l, &b.vx, &b.vy, &b.w, &jumped_b);
-	if (cni_mask_bits(cni_wide_max(jumped_a, jumped_b) >= cni_wide_of(since)) == 0)
+	hit = cni_wide_max(jumped_a, jumped_b) >= cni_wide_of(since);
+	if (cni_mask_bits(hit) == 0)
 		return 0;
 	closes = point_closes(k, &k->p[0], l, &a, &b, speed) | point_closes(k, &k->p[1], l, &a, &b, speed);
 	bounces = cni_wide_load_loose(info->restitution + l) > cni_wide_of(0.0f);
-	return cni_mask_bits(closes & bounces) << l;
-}
-
-#define CLOSING_AHEAD 2 /* blocks whose memory is asked for */
-
-/* Prefetches the rows of a block that kernel_closing reads. */
-CNI_INLINE void closing_prefetch(const cni_listed_block *b)
-{
-	CNI_PREFETCH(&b->info->flags);
-	CNI_PREFETCH(b->info->restitution);
-	cni_lines_prefetch(b->rows->ia, (int32_t)offsetof(cni_contact_block, static_friction));
-	CNI_PREFETCH(b->rows->dt);
-	cni_lines_prefetch(b->rows->p[0].at, (int32_t)offsetof(cni_contact_row, load));
-	cni_lines_prefetch(b->rows->p[1].at, (int32_t)offsetof(cni_contact_row, load));
+	return cni_mask_bits(hit & closes & bounces) << l;
 }
 
 static void kernel_closing(const cni_velocity_start *starts, const cni_listed_block *blocks, int32_t count, float speed, float since, uint32_t *closing)
@@ -588,10 +577,8 @@ static void kernel_closing(const cni_velocity_start *starts, const cni_listed_bl
 	for (k = 0; k < count; ++k) {
 		const cni_listed_block *b = &blocks[k];
 		closing[k] = 0;
-		if (k + CLOSING_AHEAD < count)
-			closing_prefetch(&blocks[k + CLOSING_AHEAD]);
 		if (b->info->flags & CNI_BLOCK_RESTITUTION)
-			for (l = 0; l < b->lanes; l += CNI_WIDTH)
+			for (l = b->begin; l < b->lanes; l += CNI_WIDTH)
 				closing[k] |= group_closing((const float *)(const void *)starts, b->rows, b->info, speed, since, l);
 	}
 }

@@ -21,8 +21,8 @@ typedef struct cni_color_pass {
    friction. */
 typedef void cni_contact_kernel_fn(const cni_color_pass *c, int32_t begin, int32_t end);
 
-/* For each of count blocks, writes as bits the lanes that have restitution and a point that closes faster than speed. Skips groups of
-   lanes in which start.jumped of all bodies is less than since. */
+/* For each of count blocks, writes as bits its lanes from begin on that have restitution, a point that closes faster than speed, and a body
+   of which start.jumped is not less than since. */
 typedef void cni_contact_closing_fn(const cni_velocity_start *starts, const cni_listed_block *blocks, int32_t count, float speed, float since, uint32_t *closing);
 
 /* Lanes that may bounce, gathered from any blocks of one colour. Row r of a lane is rows[r * CNI_LANES]. */

@@ -21,8 +21,8 @@
  * the surface: v'^2 = e^2 (v^2 + 2 a s) - 2 a (s + h v').
  *
  * Few lanes of a sweep close that fast. The kernel finds them with vectors; only they are gathered from the blocks of a colour
- * and solved, by the kernel of restitution_kernel.h. A lane without a hit in one sweep gets none in the next unless one of its
- * bodies was hit since: later sweeps skip groups of lanes without such a body.
+ * and solved by the kernel of restitution_kernel.h, up to LANES_FEW one by one. A lane without a hit in one sweep gets none in
+ * the next unless one of its bodies was hit since: later sweeps skip lanes without such a body.
  *
  * Reads blocks, motion and start; writes motion velocities and start (so that the warm start of the next substep does not
  * contain the impact).
@@ -35,6 +35,8 @@
 
 #define BLOCKS_A_RANGE 16 /* of one colour: most of them do not bounce */
 #define BLOCKS_AT_ONCE 16 /* that are searched before what was found is solved: they stay in the cache */
+#define LANES_FEW 3       /* that are solved faster one by one than as a vector */
+#define BODIES_MANY 4096  /* that are awake: those of lanes that were found are not near anyway, and asked for early */
 /* start.jumped of bodies that sweep k hits. */
 #define HIT_MARK(k) (1.0f + (float)(k) / (float)CNI_RESTITUTION_SWEEPS)
 
@@ -94,6 +96,7 @@ typedef struct color_sweep {
 	const cni_contact_kernel *kernel;
 	cni_impact_pass pass;
 	float since;                    /* start.jumped of bodies hit in the last sweep or this one is not less */
+	int32_t prefetches;
 	const cni_listed_block *blocks;
 	uint32_t hits;
 } color_sweep;
@@ -132,14 +135,17 @@ static void found_begin(found_lanes *found)
 
 static void found_solve(const color_sweep *c, found_lanes *found)
 {
+	const cni_contact_kernel *kernel = found->count <= LANES_FEW ? &cni_contact_kernel_plain : c->kernel;
 	cni_impact_pass pass = c->pass;
 	cni_impact_record record;
 	int32_t l;
+	if (kernel != &cni_contact_kernel_plain)
+		lanes_end(&found->lanes, found->count);
 	if (c->world->sums_active) {
 		memset(&record, 0, sizeof record);
 		pass.record = &record;
 	}
-	found->hits += c->kernel->impact(&pass, &found->lanes, found->count);
+	found->hits += kernel->impact(&pass, &found->lanes, found->count);
 	for (l = 0; l < found->count && pass.record != NULL; ++l)
 		impact_add(c->world, found->block[l], found->from[l], &record, l);
 	found_begin(found);
@@ -152,7 +158,8 @@ static void found_add(const color_sweep *c, found_lanes *found, const cni_listed
 		found->block[l] = b;
 		found->from[l] = cni_bit_lowest32(closing);
 		lane_add(c->world, b, found->from[l], &found->lanes, l);
-		bodies_prefetch(&c->pass, &found->lanes, l);
+		if (c->prefetches)
+			bodies_prefetch(&c->pass, &found->lanes, l);
 		if (l == CNI_LANES - 1)
 			found_solve(c, found);
 	}
@@ -170,17 +177,16 @@ static void color_sweep_run(void *context, int32_t begin, int32_t end)
 		int32_t count = cni_min_i(end - from, BLOCKS_AT_ONCE);
 		c->kernel->closing(c->pass.starts, c->blocks + from, count, c->pass.speed, c->since, closing);
 		for (k = 0; k < count; ++k)
-			found_add(c, &found, &c->blocks[from + k], closing[k]);
+			if (closing[k] != 0)
+				found_add(c, &found, &c->blocks[from + k], closing[k]);
 	}
-	if (found.count > 0) {
-		lanes_end(&found.lanes, found.count);
+	if (found.count > 0)
 		found_solve(c, &found);
-	}
 	if (found.hits > 0)
 		cni_atomic_add(&c->hits, (uint32_t)found.hits);
 }
 
-/* In the overflow colour a body may be in several lanes, and one impact may cause another: lanes are solved one by one. */
+/* In the overflow colour a body may be in several lanes, and one impact may cause another: lanes are searched and solved one by one. */
 static void overflow_sweep(color_sweep *c, int32_t count)
 {
 	found_lanes found;
@@ -190,10 +196,15 @@ static void overflow_sweep(color_sweep *c, int32_t count)
 	c->kernel = &cni_contact_kernel_plain;
 	for (k = 0; k < count; ++k)
 		for (l = 0; l < c->blocks[k].lanes; ++l) {
-			if (c->blocks[k].info->restitution[l] == 0.0f)
+			cni_listed_block lane = c->blocks[k];
+			uint32_t closing;
+			lane.begin = (cni_listed_number)l;
+			lane.lanes = (cni_listed_number)(l + 1);
+			c->kernel->closing(c->pass.starts, &lane, 1, c->pass.speed, c->since, &closing);
+			if (closing == 0)
 				continue;
 			c->pass.one_sided = c->blocks[k].rows->ib[l] == 0;
-			found_add(c, &found, &c->blocks[k], 1u << l);
+			found_add(c, &found, &c->blocks[k], closing);
 			found_solve(c, &found);
 		}
 	c->hits += (uint32_t)found.hits;
@@ -202,9 +213,10 @@ static void overflow_sweep(color_sweep *c, int32_t count)
 static uint32_t sweep(cn_world *world, const cni_solve *s, int32_t number)
 {
 	const cni_impact_pass pass = { cni_motions(world), cni_starts(world), cni_externals(world), s->h, s->restitution_threshold, HIT_MARK(number), 0, NULL };
-	color_sweep c = { world, s->kernel, pass, number == 0 ? 0.0f : HIT_MARK(number - 1), NULL, 0 };
-	int32_t color;
-	for (color = 0; color < CNI_COLOR_OVERFLOW; ++color) {
+	color_sweep c = { world, s->kernel, pass, number == 0 ? 0.0f : HIT_MARK(number - 1), world->awake_count >= BODIES_MANY, NULL, 0 };
+	uint32_t left;
+	for (left = s->contact_colors & ~(1u << CNI_COLOR_OVERFLOW); left != 0; left &= left - 1u) {
+		int32_t color = cni_bit_lowest32(left);
 		c.pass.one_sided = color >= CNI_COLOR_STATIC;
 		c.blocks = cni_listed_blocks(world, color);
 		cni_team_for(s->team, world->colors[color].listed_count, BLOCKS_A_RANGE, color_sweep_run, &c);

@@ -246,31 +246,31 @@ static float box_room(const cni_aabb *outer, const cni_aabb *inner)
 /* Result for a proxy's box, as bits. _AHEAD: the box covers the way ahead. */
 enum { BOX_STAYS = 0, BOX_AHEAD = 1, BOX_LEAVES = 2 };
 
-/* Compares a proxy's box with the shape's box now and after the way ahead. BOX_LEAVES: *fat is the new box. *room: distance by which
-   the resulting box encloses the shape, now and ahead. */
-static int32_t box_leaves(const cn_world *world, const cni_body *b, const cni_shape *s, int32_t child, const cni_transform *x, cni_vec2 ahead, cni_aabb *fat, float *room)
+/* Compares a proxy's box with the shape's box now and after the way ahead. BOX_LEAVES: it has a new box. *room: distance by which the
+   resulting box encloses the shape, now and ahead. */
+CNI_INLINE int32_t box_leaves(const cn_world *world, const cni_body *b, cni_proxy *p, const cni_transform *x, cni_vec2 ahead, float *room)
 {
-	const cni_aabb *now = &cni_proxy_at(world, cni_shape_proxy(world, s, child))->fat;
-	float margin, rounding = CNI_BODY_ROUNDING * cni_max(cni_abs(b->cx) + cni_abs(b->cy) + b->extent, cni_abs(ahead.x) + cni_abs(ahead.y));
+	float way_x = cni_abs(ahead.x), way_y = cni_abs(ahead.y), margin, rounding = CNI_BODY_ROUNDING * cni_max(cni_abs(b->cx) + cni_abs(b->cy) + b->extent, way_x + way_y);
 	int32_t reaches;
 	cni_aabb box;
-	cni_geometry_box(cni_shape_geometry(&world->blocks, s), child, x, &box);
-	*room = box_room(now, &box) - rounding;
-	if (*room > cni_max(cni_abs(ahead.x), cni_abs(ahead.y)))
+	cni_geometry_box(cni_proxy_geometry(&world->blocks, p), cni_proxy_child(p), x, &box);
+	*room = box_room(&p->fat, &box) - rounding;
+	if (*room > cni_max(way_x, way_y))
 		return BOX_STAYS;
 	margin = cni_box_margin(world, b->type, &box);
-	reaches = cni_abs(ahead.x) > 0.5f * margin || cni_abs(ahead.y) > 0.5f * margin; /* a shorter way needs no stretched box */
+	reaches = cni_max(way_x, way_y) > 0.5f * margin; /* a shorter way needs no stretched box */
 	if (reaches)
 		box = box_stretch(box, ahead);
-	if (cni_aabb_contains(now, &box)) {
-		if (!reaches || box_room(now, &box) <= rounding)
+	if (cni_aabb_contains(&p->fat, &box)) {
+		if (!reaches || box_room(&p->fat, &box) <= rounding)
 			return BOX_STAYS;
-		*room = box_room(now, &box) - rounding;
+		*room = box_room(&p->fat, &box) - rounding;
 		return BOX_AHEAD;
 	}
 	if (reaches && b->lanes == 0 && CNI_ON(FAT_BOXES))
 		box = box_stretch(box, cni_mul(CNI_BOX_FLIGHT_STEPS, ahead));
-	*fat = cni_box_fatten(box, margin);
+	box = cni_box_fatten(box, margin);
+	cni_proxy_set_fat(p, &box);
 	*room = margin - rounding;
 	return reaches ? BOX_LEAVES | BOX_AHEAD : BOX_LEAVES;
 }
@@ -280,19 +280,18 @@ int32_t cni_body_boxes_set(const cn_world *world, cni_body *b, cni_vec2 ahead, c
 	cni_transform x = cni_body_transform(b);
 	float room = FLT_MAX, one;
 	int32_t shape, child, set = CNI_BOXES_NONE, reaches = 1;
-	cni_aabb fat;
+	const cni_shape *s;
 	if (cni_body_has_room(b, ahead))
 		return CNI_BOXES_NONE;
-	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
-		const cni_shape *s = cni_shape_at(world, shape);
+	for (shape = b->shape_first; shape != CNI_NONE; shape = s->next) {
+		s = cni_shape_at(world, shape);
 		for (child = 0; child < cni_shape_children(&world->blocks, s); ++child) {
-			int32_t what = box_leaves(world, b, s, child, &x, ahead, &fat, &one), proxy = cni_shape_proxy(world, s, child);
+			int32_t proxy = cni_shape_proxy(world, s, child), what = box_leaves(world, b, cni_proxy_at(world, proxy), &x, ahead, &one);
 			room = cni_min(room, one);
 			reaches &= what; /* BOX_AHEAD */
 			if (!(what & BOX_LEAVES))
 				continue;
 			set = set == CNI_BOXES_NONE ? proxy : CNI_BOXES_SEVERAL;
-			cni_proxy_set_fat(cni_proxy_at(world, proxy), &fat);
 			if (tell != NULL)
 				tell->broadphase_ops->move(tell->broadphase, proxy);
 		}

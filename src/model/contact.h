@@ -75,6 +75,7 @@ typedef struct cni_contact_block {
 
 enum {
 	CNI_BLOCK_RESTITUTION = 1u << 0, /* some lane has restitution */
+	CNI_BLOCK_BOUNCES = 1u << 4,     /* ... above CNI_BOUNCE_DELAY_RESTITUTION: below, the passes of the solver need not know it */
 	CNI_BLOCK_RESTED = 1u << 2,      /* its lanes took one substep in the last step: step/early_rest.c */
 	CNI_BLOCK_SUMS = 1u << 3,        /* some contact reports STAY or HIT: see cni_block_sums */
 	CNI_BLOCK_EXTRA = 1u << 1        /* some lane has rolling resistance, a conveyor or a locked axis: see cni_block_extra */

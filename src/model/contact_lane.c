@@ -38,6 +38,15 @@ typedef struct old_point {
 	float jn, load;
 } old_point;
 
+static void restitution_write(cni_block_info *info, int32_t lane, float restitution)
+{
+	info->restitution[lane] = restitution;
+	if (restitution > 0.0f)
+		info->flags |= CNI_BLOCK_RESTITUTION;
+	if (restitution > CNI_BOUNCE_DELAY_RESTITUTION)
+		info->flags |= CNI_BLOCK_BOUNCES;
+}
+
 static void lane_write_material(cn_world *world, const cni_contact *c, cni_contact_block *block, int32_t lane)
 {
 	cn_material m = cni_material_mix(world, cni_proxy_at(world, c->proxy[0])->shape, cni_proxy_at(world, c->proxy[1])->shape);
@@ -45,9 +54,7 @@ static void lane_write_material(cn_world *world, const cni_contact *c, cni_conta
 	cni_block_extra *extra;
 	block->static_friction[lane] = m.static_friction;
 	block->dynamic_friction[lane] = m.dynamic_friction;
-	info->restitution[lane] = m.restitution;
-	if (m.restitution > 0.0f)
-		info->flags |= CNI_BLOCK_RESTITUTION;
+	restitution_write(info, lane, m.restitution);
 	if ((m.rolling_resistance > 0.0f || m.tangent_speed_mps != 0.0f) && !cni_lane_reserve_extra(world))
 		world->warnings |= CN_WARNING_FRAME_MEMORY; /* first conveyor of a resting contact: it has none */
 	extra = cni_block_extra_at(world, c->slot / CNI_LANES);
@@ -450,7 +457,7 @@ static void lane_write(const cn_world *world, const cni_contact *c, const cni_sl
 	float *rows = (float *)(void *)cni_block_at(world, block) + l;
 	for (row = 0; row < CNI_SLEEP_ROWS; ++row)
 		rows[(row + 2) * CNI_LANES] = s->rows[row];
-	cni_block_info_at(world, block)->restitution[l] = s->restitution;
+	restitution_write(cni_block_info_at(world, block), l, s->restitution);
 	sleep_to_extra(world, c, s);
 }
 
@@ -492,6 +499,4 @@ void cni_contact_sleep_to_lane(cn_world *world, int32_t contact)
 	if (!world->events.in_step)
 		c->flags |= CNI_CONTACT_ENTERED; /* no STAY for the last step: it slept */
 	cni_contact_mark_sums(world, c);
-	if (s.restitution > 0.0f)
-		cni_block_info_at(world, c->slot / CNI_LANES)->flags |= CNI_BLOCK_RESTITUTION;
 }

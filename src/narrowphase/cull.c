@@ -73,7 +73,11 @@ CNI_INLINE void body_prefetch(const cni_body *b)
 	CNI_PREFETCH(&b->vx);
 }
 
-typedef char cni_cull_finds_far_enough[!CNI_CULL_LOOKS_AHEAD || (RECORDS_AHEAD + 4 <= CNI_CULL_RECORDS && MEMBERS_AHEAD + 4 <= CNI_CULL_MEMBERS) ? 1 : -1];
+/* A batch begins at a multiple of its size, so its places, and those of four contacts from a multiple of four on, lie side by side. */
+typedef char cni_cull_finds_far_enough[!CNI_CULL_LOOKS_AHEAD || (RECORDS_AHEAD % 4 == 0 && MEMBERS_AHEAD % 4 == 0 &&
+	CNI_CULL_BATCH + RECORDS_AHEAD <= CNI_CULL_PLACES && MEMBERS_AHEAD + 4 <= CNI_CULL_MEMBERS) ? 1 : -1];
+
+CNI_INLINE int32_t place_of(const cni_cull *s, int32_t k) { return (int32_t)((uint32_t)(k - s->begin) % CNI_CULL_PLACES); }
 
 /* Memory that cni_touch_begin reads. */
 CNI_INLINE void pair_prefetch(const cni_touch_pair *p)
@@ -100,16 +104,16 @@ CNI_INLINE void members_prefetch(const cni_cull_list *list, const cni_contact *c
 	}
 }
 
-/* Prefetches bodies and boxes of contact k, whose record was prefetched earlier. inside: k is in the range and does not touch. */
-CNI_INLINE void ask_for_members(cni_cull *s, int32_t k, int32_t inside)
+/* Prefetches bodies and boxes of contact k at a place, whose record was prefetched earlier. inside: k is in the range and does not touch. */
+CNI_INLINE void ask_for_members(cni_cull *s, int32_t k, int32_t place, int32_t inside)
 {
 	cni_contact *c;
 	cni_touch_pair *pair;
 	if (!inside && k >= s->end)
 		return;
-	c = s->record[(uint32_t)k % CNI_CULL_RECORDS];
+	c = s->record[place];
 	if (inside || k < s->of.apart) {
-		members_prefetch(&s->of, c, s->proxy[(uint32_t)k % CNI_CULL_MEMBERS]);
+		members_prefetch(&s->of, c, s->proxy[place]);
 		return;
 	}
 	pair = &s->touching[(uint32_t)k % CNI_CULL_MEMBERS];
@@ -118,31 +122,31 @@ CNI_INLINE void ask_for_members(cni_cull *s, int32_t k, int32_t inside)
 }
 
 /* Records span two cache lines. */
-CNI_INLINE void ask_for_record(cni_cull *s, int32_t k, int32_t inside)
+CNI_INLINE void ask_for_record(cni_cull *s, int32_t k, int32_t place, int32_t inside)
 {
 	cni_contact *c;
 	if (!inside && k >= s->end)
 		return;
-	c = s->record[(uint32_t)k % CNI_CULL_RECORDS] = cni_contact_at(s->of.world, s->of.contacts[k]);
+	c = s->record[place] = cni_contact_at(s->of.world, s->of.contacts[k]);
 	CNI_PREFETCH(c);
 	CNI_PREFETCH(&c->flags);
 }
 
-/* Prefetches for contacts after `at` to at + count - 1, which are culled now. Finding a record in its table takes five instructions,
+/* Prefetches for contacts after `at` to at + count - 1, 4 or 1, which are culled now. Finding a record in its table takes five instructions,
    so those found here are kept until they are used. */
 CNI_INLINE void prefetch_ahead(cni_cull *s, int32_t at, int32_t count)
 {
-	int32_t k, last = at + count - 1 + RECORDS_AHEAD;
+	int32_t l, last = at + count - 1 + RECORDS_AHEAD, records = place_of(s, at + RECORDS_AHEAD), members = place_of(s, at + MEMBERS_AHEAD);
 	if (last < s->end && last < s->of.apart) {
-		for (k = at; k < at + count; ++k) {
-			ask_for_record(s, k + RECORDS_AHEAD, 1);
-			ask_for_members(s, k + MEMBERS_AHEAD, 1);
+		for (l = 0; l < count; ++l) {
+			ask_for_record(s, at + RECORDS_AHEAD + l, records + l, 1);
+			ask_for_members(s, at + MEMBERS_AHEAD + l, members + l, 1);
 		}
 		return;
 	}
-	for (k = at; k < at + count; ++k) {
-		ask_for_record(s, k + RECORDS_AHEAD, 0);
-		ask_for_members(s, k + MEMBERS_AHEAD, 0);
+	for (l = 0; l < count; ++l) {
+		ask_for_record(s, at + RECORDS_AHEAD + l, records + l, 0);
+		ask_for_members(s, at + MEMBERS_AHEAD + l, members + l, 0);
 	}
 }
 
@@ -172,11 +176,11 @@ static void contact_enters_no_more(cni_contact *c)
 		c->flags &= ~ENTERED;
 }
 
-/* Returns 1 when pair k of the batch stays apart for certain. */
-static uint32_t one_cull(const cni_cull *s, int32_t k)
+/* Returns 1 when the pair at a place stays apart for certain. */
+static uint32_t one_cull(const cni_cull *s, int32_t place)
 {
-	cni_contact *c = s->batch_record[k];
-	const cni_proxy *const *proxy = s->batch_proxy[k];
+	cni_contact *c = s->record[place];
+	const cni_proxy *const *proxy = s->proxy[place];
 	const cni_cull_body *a, *b;
 	cni_cull_body made_a, made_b;
 	if (cni_cull_bodies(&s->of) != NULL) {
@@ -268,19 +272,19 @@ static uint32_t four_cull(const cni_cull *s, cni_contact *const *c, const cni_pr
 
 /* ---- batches ---- */
 
-/* Finds the record and the proxies of contact `at` of the list, for place k of the batch. */
-CNI_INLINE void batch_find(cni_cull *s, int32_t at, int32_t k)
+/* Finds the records and the proxies of the next count contacts, where they were not found ahead. */
+CNI_INLINE void batch_find(cni_cull *s, int32_t at, int32_t place, int32_t count)
 {
 	const cn_world *world = s->of.world;
+	int32_t l;
 	if (cni_cull_prefetches(&s->of)) {
-		s->batch_record[k] = s->record[(uint32_t)at % CNI_CULL_RECORDS];
-		s->batch_proxy[k][0] = s->proxy[(uint32_t)at % CNI_CULL_MEMBERS][0];
-		s->batch_proxy[k][1] = s->proxy[(uint32_t)at % CNI_CULL_MEMBERS][1];
-	} else {
-		cni_contact *c = cni_contact_at(world, s->of.contacts[at]);
-		s->batch_record[k] = c;
-		s->batch_proxy[k][0] = cni_proxy_at(world, c->proxy[0]);
-		s->batch_proxy[k][1] = cni_proxy_at(world, c->proxy[1]);
+		prefetch_ahead(s, at, count);
+		return;
+	}
+	for (l = 0; l < count; ++l) {
+		cni_contact *c = s->record[place + l] = cni_contact_at(world, s->of.contacts[at + l]);
+		s->proxy[place + l][0] = cni_proxy_at(world, c->proxy[0]);
+		s->proxy[place + l][1] = cni_proxy_at(world, c->proxy[1]);
 	}
 }
 
@@ -288,22 +292,16 @@ CNI_INLINE void batch_find(cni_cull *s, int32_t at, int32_t k)
 static uint32_t apart_of_batch(cni_cull *s, int32_t from, int32_t size)
 {
 	uint32_t apart = 0;
-	int32_t k = 0;
+	int32_t k = 0, place = place_of(s, from);
 #if CNI_HAS_WIDE_4
 	for (; cni_cull_bodies(&s->of) != NULL && k + 4 <= size; k += 4) {
-		int32_t l;
-		if (cni_cull_prefetches(&s->of))
-			prefetch_ahead(s, from + k, 4);
-		for (l = k; l < k + 4; ++l)
-			batch_find(s, from + l, l);
-		apart |= four_cull(s, &s->batch_record[k], (const cni_proxy *const (*)[2])&s->batch_proxy[k]) << k;
+		batch_find(s, from + k, place + k, 4);
+		apart |= four_cull(s, &s->record[place + k], (const cni_proxy *const (*)[2])&s->proxy[place + k]) << k;
 	}
 #endif
 	for (; k < size; ++k) {
-		if (cni_cull_prefetches(&s->of))
-			prefetch_ahead(s, from + k, 1);
-		batch_find(s, from + k, k);
-		apart |= one_cull(s, k) << k;
+		batch_find(s, from + k, place + k, 1);
+		apart |= one_cull(s, place + k) << k;
 	}
 	return apart;
 }
@@ -320,14 +318,14 @@ static int32_t take_left(cni_cull *s, cni_touch_pair *out, int32_t most)
 {
 	const cn_world *world = s->of.world;
 	const int32_t *contacts = s->of.contacts + s->batch;
-	int32_t count = 0, prefetches = cni_cull_prefetches(&s->of);
+	int32_t count = 0, place = place_of(s, s->batch), prefetches = cni_cull_prefetches(&s->of);
 	uint32_t left = s->left;
 	for (; left != 0 && count < most; left &= left - 1) {
 		int32_t l = cni_bit_lowest32(left);
 		cni_touch_pair *p = &out[count++];
-		p->contact = s->batch_record[l];
-		p->proxy[0] = s->batch_proxy[l][0];
-		p->proxy[1] = s->batch_proxy[l][1];
+		p->contact = s->record[place + l];
+		p->proxy[0] = s->proxy[place + l][0];
+		p->proxy[1] = s->proxy[place + l][1];
 		p->body[0] = cni_body_at(world, p->contact->body[0]);
 		p->body[1] = cni_body_at(world, p->contact->body[1]);
 		p->index = contacts[l];
@@ -384,15 +382,15 @@ void cni_cull_begin(cni_cull *s, const cni_cull_list *list, int32_t begin, int32
 {
 	int32_t k;
 	s->of = *list;
-	s->at = s->batch = begin;
+	s->begin = s->at = s->batch = begin;
 	s->end = end;
 	s->left = 0;
 	if (!cni_cull_prefetches(list))
 		return;
 	for (k = 0; k < RECORDS_AHEAD; ++k)
-		ask_for_record(s, begin + k, 0);
+		ask_for_record(s, begin + k, k, 0);
 	for (k = 0; k < MEMBERS_AHEAD; ++k)
-		ask_for_members(s, begin + k, 0);
+		ask_for_members(s, begin + k, k, 0);
 }
 
 int32_t cni_cull_next(cni_cull *s, cni_touch_pair *out, int32_t most)

@@ -33,8 +33,9 @@ typedef struct cni_cull_list {
 	int32_t prefetches;
 } cni_cull_list;
 
-/* Records, proxies and pairs found ahead for prefetching, by position in the list modulo these. */
-#define CNI_CULL_RECORDS (CNI_CULL_LOOKS_AHEAD ? 32 : 1)
+/* Places of records and proxies, by position in the range modulo this: those of the last batch, and those found ahead for prefetching. */
+#define CNI_CULL_PLACES (CNI_CULL_LOOKS_AHEAD ? 2 * CNI_CULL_BATCH : CNI_CULL_BATCH)
+/* ... of touching pairs found ahead. */
 #define CNI_CULL_MEMBERS (CNI_CULL_LOOKS_AHEAD ? 16 : 1)
 
 static inline cni_cull_body *cni_cull_bodies(const cni_cull_list *list) { return CNI_CULL_LOOKS_AHEAD ? list->bodies : NULL; }
@@ -42,13 +43,11 @@ static inline int32_t cni_cull_prefetches(const cni_cull_list *list) { return CN
 
 typedef struct cni_cull {
 	cni_cull_list of;
-	int32_t at, end;           /* next contact to cull; end of the range */
+	int32_t begin, at, end;    /* range; next contact to cull */
 	int32_t batch;             /* first contact of the last batch */
-	cni_contact *record[CNI_CULL_RECORDS];      /* only with of.prefetches */
-	const cni_proxy *proxy[CNI_CULL_MEMBERS][2]; /* ... of contacts that do not touch */
-	cni_touch_pair touching[CNI_CULL_MEMBERS];  /* ... those that do */
-	cni_contact *batch_record[CNI_CULL_BATCH];  /* of the last batch */
-	const cni_proxy *batch_proxy[CNI_CULL_BATCH][2];
+	cni_contact *record[CNI_CULL_PLACES];
+	const cni_proxy *proxy[CNI_CULL_PLACES][2]; /* of contacts that do not touch */
+	cni_touch_pair touching[CNI_CULL_MEMBERS];  /* ... those that do; only with of.prefetches */
 	uint32_t left;             /* contacts of the batch that need a manifold and were not returned yet, as bits */
 } cni_cull;
 
