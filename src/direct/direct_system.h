@@ -178,6 +178,8 @@ void cni_geometric_stiffness_begin(const cn_world *world, cni_sparse *sparse, cn
 /* Sets the damping rows (third rows) of pins in a component that has dampers, before its factorization. */
 void cni_geometric_stiffness_damp(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h);
 
+/* 1: a pinned body turns faster than `most`, and than its neighbour by half of that. */
+int32_t cni_geometric_stiffness_turns(const cn_world *world, const cni_sparse *sparse, const cni_component *c, float most);
 /* Locks the relative rotation of pinned bodies, until the next cni_direct_system, where one of them would turn too far in a substep for
    positions to follow: faster than `most`. Returns 1 when it locked any: the component must be factored again. */
 int32_t cni_geometric_stiffness_lock(const cn_world *world, const cni_sparse *sparse, cni_component *c, float most);

@@ -96,8 +96,15 @@ typedef struct cni_projection {
 	int32_t selected;              /* 1: to be checked, because its bodies may have changed since the last check */
 	int32_t opening;               /* 1: contacts would open some of its joints in this substep */
 	int32_t changed;               /* 1: contacts have changed its bodies since the last check */
-	int32_t slot_begin, slot_end;  /* in projection_slots; CNI_NONE: not looked up in this step */
+	int32_t mark_begin, mark_end;  /* in projection_marks; CNI_NONE: not looked up in this step */
 } cni_projection;
+
+/* Contacts of a projection's bodies that are lanes of one block. */
+typedef struct cni_marked_lanes {
+	int32_t block;
+	uint32_t lanes;
+	int32_t other; /* component of their other bodies, if contacts may open it, or CNI_NONE */
+} cni_marked_lanes;
 
 /* A contact of a body with a lighter one of a component: direct/heavy_contacts.c. */
 #define CNI_HEAVY_CONTACTS_MOST 32 /* in a step */
@@ -146,8 +153,8 @@ typedef struct cni_sparse {
 	int32_t contact_count;
 	cni_projection *projections;          /* direct/joint_projection.c, by component */
 	int32_t projection_count;             /* components of which it is used */
-	int32_t *projection_slots;        /* slots of the contacts of each projection's bodies */
-	int32_t projection_slot_count;
+	cni_marked_lanes *projection_marks; /* the contacts of each projection's bodies */
+	int32_t projection_mark_count;
 	int32_t *projection_of;           /* by dense body: its component, if contacts may open it, or CNI_NONE */
 	cni_heavy_contact *heavies;   /* direct/heavy_contacts.c */
 	int32_t heavy_count;
