@@ -64,13 +64,21 @@ static cni_motion *change_of(changes *d, int32_t index)
 	return index == d->p.ia ? &d->a : index == d->p.ib ? &d->b : &d->rest;
 }
 
+static int32_t is_at(const changes *d, const cni_node *n)
+{
+	return n->ia == d->p.ia || n->ia == d->p.ib || n->ib == d->p.ia || n->ib == d->p.ib;
+}
+
 /* Right sides of the joints against these changes. */
 static void sides_set(const cni_sparse *sparse, const cni_component *c, changes *d)
 {
 	int32_t k;
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
-		cni_four_store(n->x, cni_four_scale(cni_levers_speed(&n->levers, change_of(d, n->ia), change_of(d, n->ib)), -1.0f));
+		if (!is_at(d, n))
+			cni_four_store(n->x, cni_four_all(-0.0f));
+		else
+			cni_four_store(n->x, cni_four_scale(cni_levers_speed(&n->levers, change_of(d, n->ia), change_of(d, n->ib)), -1.0f));
 	}
 }
 
@@ -83,8 +91,8 @@ static void response_add(cni_sparse *sparse, const cni_component *c, changes *d)
 		return;
 	for (k = c->begin; k < c->end; ++k) {
 		const cni_node *n = &sparse->nodes[k];
-		cni_levers_push(&n->levers, n->x, change_of(d, n->ia), change_of(d, n->ib), CNI_NODE_ROWS);
-		d->rest = at_rest(&d->rest);
+		if (is_at(d, n))
+			cni_levers_push(&n->levers, n->x, change_of(d, n->ia), change_of(d, n->ib), CNI_NODE_ROWS);
 	}
 }
 
@@ -362,13 +370,11 @@ static float friction_target(const cni_direct_contact *p, float m, float speed)
 	return cni_clamp(target, -most, most);
 }
 
-static float row_target(const cn_world *world, const cni_solve *s, const cni_heavy_contact *h, const changes *d, int32_t row, float speed, int32_t pass)
+static float row_target(const cn_world *world, const cni_solve *s, const cni_heavy_contact *h, const cni_direct_contact *p, int32_t row, float speed, float separation, int32_t pass)
 {
-	const cni_direct_contact *p = &d->p;
-	float m = 1.0f / h->k[row][row], separation;
+	float m = 1.0f / h->k[row][row];
 	if (row == 2)
 		return pass == PASS_BOUNCE ? p->j[2] : friction_target(p, m, speed - h->tangent_speed);
-	separation = cni_direct_contact_separation(p, row, cni_motions(world) + d->p.ia, cni_motions(world) + d->p.ib);
 	if (pass == PASS_BOUNCE) /* what touches reaches its speed after the impact */
 		return separation > world->settings.slop ? p->j[row] : cni_max(p->j[row] + (h->bounce[row] - speed) / h->k[row][row], 0.0f);
 	return cni_min(cni_max(h->impulse_most, p->j[row]), normal_target(s, p, row, m, speed, separation, pass));
@@ -377,16 +383,17 @@ static float row_target(const cn_world *world, const cni_solve *s, const cni_hea
 static void rows_solve(const cn_world *world, const cni_solve *s, const cni_heavy_contact *h, changes *d, int32_t pass)
 {
 	cni_direct_contact *p = &d->p;
-	float u[3];
+	const cni_motion *a = cni_motions(world) + p->ia, *b = cni_motions(world) + p->ib;
+	float u[3], separation[3] = { cni_direct_contact_separation(p, 0, a, b), cni_direct_contact_separation(p, 1, a, b), 0.0f };
 	int32_t round, row, k;
 	for (k = 0; k < 3; ++k)
-		u[k] = cni_direct_contact_speed(p, k, cni_motions(world) + d->p.ia, cni_motions(world) + d->p.ib);
+		u[k] = cni_direct_contact_speed(p, k, a, b);
 	for (round = 0; round < CNI_HEAVY_CONTACT_ROUNDS; ++round)
 		for (row = 0; row < 3; ++row) {
 			float target;
 			if (p->mass[row] <= 0.0f)
 				continue;
-			target = row_target(world, s, h, d, row, u[row], pass);
+			target = row_target(world, s, h, p, row, u[row], separation[row], pass);
 			for (k = 0; k < 3; ++k)
 				u[k] += h->k[k][row] * (target - p->j[row]);
 			p->j[row] = target;
