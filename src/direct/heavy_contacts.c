@@ -212,18 +212,19 @@ static int32_t is_pressed(const cn_world *world, const cni_solve *s, int32_t con
 {
 	float stress = slow ? CNI_HEAVY_SLOW_STRESS : fixed ? CNI_HEAVY_STATIC_STRESS : CNI_HEAVY_CONTACT_STRESS;
 	float speed = stress * cni_length(world->settings.gravity) * s->h;
-	changes d = changes_begin(world, contact);
-	const cni_direct_contact *p = &d.p;
-	const cni_motion *a = cni_motions(world) + p->ia, *b = cni_motions(world) + p->ib;
-	int32_t k;
+	int32_t k, slot = cni_contact_at(world, contact)->slot, l = slot % CNI_LANES, idle = 0;
+	const cni_contact_row *rows = cni_block_at(world, slot / CNI_LANES)->p;
 	for (k = 0; k < 2; ++k) {
-		float closing;
-		if (p->j[k] > speed * p->mass[k])
+		if (rows[k].jn[l] > speed * rows[k].nm[l])
 			return 1;
-		if (p->mass[k] <= 0.0f || p->j[k] > 0.0f)
+		idle |= (rows[k].nm[l] > 0.0f && !(rows[k].jn[l] > 0.0f)) << k;
+	}
+	for (k = 0; idle >> k != 0; ++k) {
+		const changes d = changes_begin(world, contact);
+		float closing = cni_direct_contact_speed(&d.p, k, cni_motions(world) + d.p.ia, cni_motions(world) + d.p.ib);
+		if (!(idle >> k & 1) || !(!fixed || slow || closing < s->contact[0].impact_speed))
 			continue;
-		closing = cni_direct_contact_speed(p, k, a, b);
-		if ((!fixed || slow || closing < s->contact[0].impact_speed) && cni_direct_contact_separation(p, k, a, b) + s->dt * closing < world->settings.slop)
+		if (cni_direct_contact_separation(&d.p, k, cni_motions(world) + d.p.ia, cni_motions(world) + d.p.ib) + s->dt * closing < world->settings.slop)
 			return 1;
 	}
 	return 0;
@@ -254,9 +255,11 @@ static void body_contacts_list(const cn_world *world, const cni_solve *s, cni_sp
 		--left;
 		if ((light && *lane_restitution(world, key >> 1) <= 0.0f) || cni_direct_lane_is_locked(world, c))
 			continue;
+		if (light ? !is_free(world, other) : !is_pressed(world, s, key >> 1, inv_mass == 0.0f, slow))
+			continue;
 		h = heavy_make(world, s, component, key >> 1);
 		h.is_light = (uint8_t)light;
-		if (light ? bounces(&h) && is_free(world, other) : is_pressed(world, s, key >> 1, inv_mass == 0.0f, slow))
+		if (!light || bounces(&h))
 			sparse->heavies[sparse->heavy_count++] = h;
 	}
 }
