@@ -188,12 +188,6 @@ static cni_heavy_contact heavy_make(const cn_world *world, const cni_solve *s, i
 
 static int32_t bounces(const cni_heavy_contact *h) { return h->bounce[0] + h->bounce[1] > 0.0f; }
 
-/* 1: the other body, which is not heavier, is in no component that could list the contact. */
-static int32_t is_free(const cn_world *world, const cni_body *other)
-{
-	return !(cni_externals(world)[other->awake].flags & CNI_EXTERNAL_JOINTED);
-}
-
 /* Do the joints bear an impact with it? */
 static int32_t is_borne(const cn_world *world, const cni_heavy_contact *h)
 {
@@ -203,6 +197,12 @@ static int32_t is_borne(const cn_world *world, const cni_heavy_contact *h)
 		if (d.p.mass[k] > 0.0f && d.p.mass[k] * h->k[k][k] < CNI_HEAVY_BOUNCE_PART)
 			return 1;
 	return 0;
+}
+
+/* 1: the other body, which is not heavier, is in no component that could list the contact. */
+static int32_t is_free(const cn_world *world, const cni_body *other)
+{
+	return !(cni_externals(world)[other->awake].flags & CNI_EXTERNAL_JOINTED);
 }
 
 /* 1: it bears more than a few weights, or it bears nothing and its points may meet in this step. With a static body only extreme loads count,
@@ -230,12 +230,12 @@ static int32_t is_pressed(const cn_world *world, const cni_solve *s, int32_t con
 	return 0;
 }
 
-/* 1: the component could be in a batch with others of its class, which it leaves for contacts that are solved here. */
+/* 1: the component could be in a batch with others of its class that have no contacts that are solved here. */
 static int32_t is_batchable(const cni_sparse *sparse, const cni_component *c)
 {
 	int32_t k;
 	for (k = 0; k < sparse->component_count && c->kind != CNI_NONE; ++k)
-		if (sparse->components[k].kind == c->kind && &sparse->components[k] != c)
+		if (sparse->components[k].kind == c->kind && !sparse->components[k].snaps && &sparse->components[k] != c)
 			return 1;
 	return 0;
 }
@@ -336,7 +336,10 @@ void cni_heavy_contacts_find(cn_world *world, const cni_solve *s, cni_sparse *sp
 {
 	int32_t begin, end, k, listed = sparse->heavy_count;
 	for (begin = 0; begin < listed; begin = end) {
+		cni_component *c = &sparse->components[sparse->heavies[begin].component];
 		end = end_of(sparse, begin);
+		if (c->batches)
+			cni_tree_lane_system(s, c);
 		responses_find(world, s, sparse, begin, end);
 	}
 	sparse->heavy_count = 0;
@@ -426,6 +429,8 @@ static void impulses_apply(cn_world *world, const cni_solve *s, cni_component *c
 	sides_set(s->direct, c, d);
 	if (!cni_direct_apply(world, s->direct, c))
 		cni_component_suspend(world, s->direct, c, 0);
+	else if (c->batches)
+		cni_tree_lane_add(s, c);
 }
 
 /* Finds the impulses of a pass. Returns 0 where they change nothing, so that they are not applied. */
@@ -456,9 +461,11 @@ static void contact_solve(cn_world *world, const cni_solve *s, cni_heavy_contact
 static void component_solve(cn_world *world, const cni_solve *s, int32_t begin, int32_t end, int32_t bias)
 {
 	cni_heavy_contact *heavies = s->direct->heavies;
-	const cni_component *c = &s->direct->components[heavies[begin].component];
+	cni_component *c = &s->direct->components[heavies[begin].component];
 	float turn = turn_of(world, s->direct, c);
 	int32_t k, stale = 0;
+	if (c->batches && !bias)
+		cni_tree_lane_system(s, c);
 	for (k = begin; k < end && !bias && !c->done; ++k)
 		stale |= turn > heavies[k].turn_most;
 	if (stale)

@@ -19,12 +19,6 @@
 
 #define MARKS_LOOKED_AT 16
 
-/* Most rounds of contacts of a component in a substep: an impact travels through a tree joint by joint. */
-static int32_t rounds_of(const cni_component *c)
-{
-	return cni_max_i(1, cni_min_i(c->end - c->begin - 1, CNI_PROJECTION_ROUNDS));
-}
-
 void cni_projection_mark(const cn_world *world, cni_sparse *sparse)
 {
 	int32_t k, i;
@@ -202,19 +196,6 @@ static int32_t component_project(cn_world *world, const cni_solve *s, cni_compon
 	return 1;
 }
 
-/* Returns 1 when its batch has solved it. */
-static int32_t lane_project(cn_world *world, const cni_solve *s, cni_component *c)
-{
-	if (!(s->direct->batches[c->batch].opening >> c->lane & 1u))
-		return 0;
-	if (!cni_geometric_stiffness_turns(world, s->direct, c, CNI_BUCKLE_RAD * s->inv_h))
-		return 1;
-	cni_tree_lane_read(s, c);
-	if (cni_component_lock(world, s, c, CNI_BUCKLE_RAD))
-		cni_tree_lane_add(s, c);
-	return 1;
-}
-
 /* Returns 1 when some joints were opening, so that their contacts must be solved once more. */
 static int32_t projections_run(cn_world *world, const cni_solve *s, int32_t round)
 {
@@ -224,7 +205,10 @@ static int32_t projections_run(cn_world *world, const cni_solve *s, int32_t roun
 	for (k = 0; k < s->direct->component_count; ++k) {
 		cni_projection *p = &s->direct->projections[k];
 		cni_component *c = &s->direct->components[k];
-		p->opening = p->selected && (c->batches ? lane_project(world, s, c) : component_project(world, s, c)) && round < rounds_of(c);
+		int32_t solved = p->selected && (c->batches ? (int32_t)(s->direct->batches[c->batch].opening >> c->lane & 1u) : component_project(world, s, c));
+		if (solved && c->batches)
+			cni_tree_lane_lock(world, s, c, CNI_BUCKLE_RAD);
+		p->opening = solved && round < cni_max_i(1, cni_min_i(c->end - c->begin - 1, CNI_PROJECTION_ROUNDS)); /* an impact travels joint by joint */
 		opening |= p->opening;
 	}
 	return opening;

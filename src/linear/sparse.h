@@ -88,6 +88,7 @@ typedef struct cni_component {
 	int32_t kind;                  /* topology class or CNI_NONE: linear/topology_class.c */
 	int32_t batches;                 /* 1: solved side by side with others of its class: direct/batched_trees.c */
 	int32_t batch, lane;            /* ... where */
+	int32_t snaps;                  /* ... 1: its joints may have to be locked in this step */
 } cni_component;
 
 /* Of a component whose joints contacts may open: direct/joint_projection.c. */
@@ -188,6 +189,8 @@ uint64_t cni_sparse_bytes(int32_t count, int32_t body_count, int64_t work_most);
 uint64_t cni_sparse_kept_bytes(int32_t count, int64_t work_most);
 /* Computes pivots and blocks from the levers of the component's nodes. */
 void cni_sparse_factor(cni_sparse *sparse, const cni_component *c, const cni_motion *motions);
+/* Takes factors of width 2 that have lanes of `stride` floats: of pivots 00, 01, 11, of blocks 00, 01, 10, 11. */
+void cni_sparse_take(cni_sparse *s, const cni_component *c, const float *pivots, const float *blocks, int32_t stride);
 /* After it: 1 if elimination has left of some row no more than this part of its diagonal, so that others nearly say the same. */
 int32_t cni_sparse_is_redundant(const cni_sparse *s, const cni_component *c, float part);
 /* Replaces the right hand sides in the nodes' x by the solution. 0: some x is not finite, because floats cannot hold these
