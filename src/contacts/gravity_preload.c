@@ -360,11 +360,6 @@ static int32_t island_is_due(const cn_world *world, int32_t island)
 	       i->solver != CN_SOLVER_SOFT && cni_island_is_quiet(world, i) && !cni_island_has_joints(world, island);
 }
 
-static int32_t body_is_due(const cn_world *world, const cni_body *b)
-{
-	return (b->flags & CNI_BODY_SET_DOWN) && !cni_body_is_jointed(world, b) && cni_body_is_quiet(world, b);
-}
-
 static void island_unheld(cn_world *world, int32_t island)
 {
 	cni_island_at(world, island)->unheld_step = world->step_count + 1u;
@@ -377,7 +372,7 @@ static void due_find(pile *q, int32_t index, int32_t island)
 	int32_t body = cni_awake_ids(q->world)[index];
 	if (island == CNI_NONE) {
 		cni_body *b = cni_body_at(q->world, body);
-		if (body_is_due(q->world, b))
+		if ((b->flags & CNI_BODY_SET_DOWN) && !cni_body_is_jointed(q->world, b) && cni_body_is_quiet(q->world, b))
 			q->order[q->count++] = (uint32_t)index;
 		b->flags &= ~(uint32_t)CNI_BODY_SET_DOWN;
 	} else if (cni_island_at(q->world, island)->first == body && island_is_due(q->world, island)) {

@@ -74,12 +74,6 @@ static int32_t full_work_is_allowed(const cn_world *world)
 	return world->settings.solver == CN_SOLVER_DIRECT || !world->memory.fixed;
 }
 
-/* The flag `overridden` skips this test in worlds in which no joint ever had a solver of its own. */
-static int32_t joint_stays_soft(const cn_world *world, const cni_joint_constraint *w)
-{
-	return world->overridden && w->record->solver == CN_SOLVER_SOFT;
-}
-
 /* 1: a joint of its island asks for the limits of CN_SOLVER_DIRECT. */
 static int32_t joint_has_full_work(const cn_world *world, const cni_joint_constraint *w)
 {
@@ -90,16 +84,13 @@ static int32_t joint_has_full_work(const cn_world *world, const cni_joint_constr
 	return island == CNI_NONE ? w->record->solver == CN_SOLVER_DIRECT : cni_island_at(world, island)->joints_solver == CN_SOLVER_DIRECT;
 }
 
-static int32_t is_left_soft(const cn_world *world, const cni_joint_constraint *w)
-{
-	return world->joints_soft_step > world->step_count && w->record->trust.soft && w->record->trust.until > world->step_count;
-}
-
+/* The flag `overridden` skips a test in worlds in which no joint ever had a solver of its own. */
 static int32_t constraint_is_eligible(const cn_world *world, const cni_joint_constraint *w)
 {
-	if (!CNI_ON(DIRECT_JOINTS) || joint_stays_soft(world, w))
+	int32_t left_soft = world->joints_soft_step > world->step_count && w->record->trust.soft && w->record->trust.until > world->step_count;
+	if (!CNI_ON(DIRECT_JOINTS) || (world->overridden && w->record->solver == CN_SOLVER_SOFT))
 		return 0;
-	return (w->rigid_count > 0 || (w->flags & CNI_CONSTRAINT_TAUT)) && !is_left_soft(world, w) && !(w->flags & (CNI_CONSTRAINT_SPRINGY | CNI_CONSTRAINT_BOUNDED)) &&
+	return (w->rigid_count > 0 || (w->flags & CNI_CONSTRAINT_TAUT)) && !left_soft && !(w->flags & (CNI_CONSTRAINT_SPRINGY | CNI_CONSTRAINT_BOUNDED)) &&
 	       !(w->ia != 0 && body_is_locked(world, w->ia)) && !(w->ib != 0 && body_is_locked(world, w->ib));
 }
 
