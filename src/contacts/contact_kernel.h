@@ -460,13 +460,15 @@ static void kernel_again(const cni_color_pass *c, int32_t begin, int32_t end)
 		uint32_t again = b->info->again;
 		b->info->again = 0;
 		for (l = b->begin; again >> l != 0; l += CNI_WIDTH) {
-			cni_mask live = cni_mask_of_bits(again >> l & ((1u << CNI_WIDTH) - 1u));
+			uint32_t bits = again >> l & ((1u << CNI_WIDTH) - 1u);
 			side a, other;
+			if (bits == 0)
+				continue;
 			side_gather(c->motions, b->rows->ia + l, &a);
 			side_gather(c->motions, b->rows->ib + l, &other);
 			if (b->extra != NULL)
 				sides_lock(b->extra, l, &a, &other);
-			solve_live(b->rows, b->extra, l, &a, &other, &c->kinds[b->kind], 1, bounces, live);
+			solve_live(b->rows, b->extra, l, &a, &other, &c->kinds[b->kind], 1, bounces, cni_mask_of_bits(bits));
 			sides_scatter(c->motions, b->rows, l, &a, &other, &c->kinds[b->kind]);
 		}
 	}

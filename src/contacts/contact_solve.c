@@ -153,8 +153,3 @@ void cni_contacts_pass(cn_world *world, const cni_solve *s, int32_t which)
 	if (which == CNI_PASS_WARM)
 		overflow_run(world, s, which);
 }
-
-void cni_contact_mark_again(const cn_world *world, int32_t slot)
-{
-	cni_block_info_at(world, slot / CNI_LANES)->again |= 1u << slot % CNI_LANES;
-}

@@ -13,8 +13,6 @@ void cni_contacts_list(cn_world *world, cni_solve *s);
 /* Passes over the listed contacts: warm start, soft, rigid, and soft for marked lanes only, which clears the marks. */
 enum { CNI_PASS_WARM, CNI_PASS_SOLVE, CNI_PASS_RELAX, CNI_PASS_AGAIN, CNI_PASSES };
 void cni_contacts_pass(cn_world *world, const cni_solve *s, int32_t which);
-/* Marks a lane for CNI_PASS_AGAIN. */
-void cni_contact_mark_again(const cn_world *world, int32_t slot);
 void cni_contacts_impact(cn_world *world, const cni_solve *s);
 /* Impulses of a step, for contacts that report them. Makes world.sums if some contact does. */
 void cni_impulse_sums_make(cn_world *world);

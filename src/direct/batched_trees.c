@@ -7,7 +7,8 @@
  * not on the memory that a world has.
  *
  * A batch takes all of a tree's joints, which are lane joints with two rows: no dampers, no loops, no contacts in the system, and no
- * RATTLE. Trees of a class that remain after full batches form one more batch. The joints of other components have rows.
+ * RATTLE. Trees of a class that remain after full batches form one more batch. The joints of other components have rows. A tree that is
+ * locked, or has contacts of direct/heavy_contacts.c, takes its levers and factors from its lane as a component of its own.
  *
  * Reads joint constraints, records, motion, the plan; writes batches, blocks of lanes, flags of joint constraints.
  */
@@ -26,23 +27,37 @@ static int32_t motor_is_strong(const cn_world *world, const cni_solve *s, const 
 	return (w->record->flags & CN_JOINT_MOTOR) && w->record->p[CNI_P_MOTOR_MAX] * s->h * s->h * free > CNI_PROJECTION_TURN_RAD;
 }
 
-/* 1: the joint may have to be locked in this step (cni_geometric_stiffness_lock), which batches cannot do. */
+/* 1: the joint may have to be locked in this step: cni_tree_lane_lock. */
 static int32_t turns_fast(const cn_world *world, const cni_solve *s, const cni_joint_constraint *w)
 {
 	float most = CNI_SNAP_RAD * s->inv_h;
 	return cni_abs(cni_motions(world)[w->ia].w) > most || cni_abs(cni_motions(world)[w->ib].w) > most;
 }
 
-int32_t cni_component_is_batched(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c)
+/* 1: solutions of a component with this pin might be checked, if it were none of a batch: is_checked in direct/component.c. */
+static int32_t may_be_checked(const cn_world *world, const cni_component *c, const cni_joint_constraint *w)
 {
-	int32_t k;
+	const cni_motion *a = cni_motions(world) + w->ia, *b = cni_motions(world) + w->ib;
+	float most = a->inv_mass + a->inv_inertia * cni_length_sq(w->start.ra) + b->inv_mass + b->inv_inertia * cni_length_sq(w->start.rb);
+	return most * c->heaviest > CNI_CHECKED_RATIO;
+}
+
+int32_t cni_component_is_batched(const cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c, int32_t has_heavy)
+{
+	uint32_t parts = 0;
+	int32_t k, fast = has_heavy;
 	if (c->kind == CNI_NONE || c->has_contacts)
 		return 0;
 	for (k = c->begin; k < c->end; ++k) {
 		const cni_joint_constraint *w = &cni_joint_constraints(world)[sparse->nodes[k].owner];
-		if (w->form != CNI_FORM_PIN || motor_is_strong(world, s, w) || turns_fast(world, s, w) || !cni_joint_fits_lane(world, s, w))
+		if (w->form != CNI_FORM_PIN || motor_is_strong(world, s, w) || !cni_joint_fits_lane(world, s, w))
 			return 0;
+		if (has_heavy && (w->parts != 0 || may_be_checked(world, c, w))) /* towers with springs would open three times as far */
+			return 0;
+		parts |= w->parts;
+		fast |= turns_fast(world, s, w);
 	}
+	c->snaps = fast && parts == 0;
 	cni_geometric_stiffness_find_pins(world, sparse, c, s->h);
 	return !cni_geometric_stiffness_needs_dampers(world, sparse, c, s->h);
 }
@@ -56,7 +71,7 @@ typedef struct batch_builder {
 	cni_lane_spring spring;
 	int32_t waiting[CNI_TOPOLOGY_CLASSES];    /* components of the class that are to be in batches */
 	int32_t example[CNI_TOPOLOGY_CLASSES];    /* one of them */
-	int32_t others;                           /* joints that are in none of them */
+	int32_t others;                           /* joints that may get lanes outside of batches */
 	cni_tree_batch *open[CNI_TOPOLOGY_CLASSES];     /* the class's batch that is being filled */
 	float *numbers;                /* memory for the factors of batches to come */
 } batch_builder;
@@ -83,16 +98,19 @@ static void waiting_count(batch_builder *m)
 	int32_t k;
 	memset(m->waiting, 0, sizeof m->waiting);
 	m->others = m->world->awake_joints.count;
-	for (k = 0; k < m->sparse->component_count; ++k)
-		if (m->sparse->components[k].batches) {
-			++m->waiting[m->sparse->components[k].kind];
-			m->example[m->sparse->components[k].kind] = k;
-			m->others -= nodes_of(&m->sparse->components[k]);
+	for (k = 0; k < m->sparse->component_count; ++k) {
+		const cni_component *c = &m->sparse->components[k];
+		if (!c->done && !c->uses_rattle)
+			m->others -= c->joints;
+		if (c->batches) {
+			++m->waiting[c->kind];
+			m->example[c->kind] = k;
 		}
+	}
 }
 
-/* Number of batches of a class. Trees beyond full batches make one more if its blocks and those of the joints outside of
-   batches are no more than all joints would take in lanes. */
+/* Number of batches of a class. Trees beyond full batches make one more if its blocks and those of joints that are not
+   solved directly are no more than all joints would take in lanes. */
 static int32_t batches_count(batch_builder *m, int32_t class_index, int32_t *blocks)
 {
 	int32_t nodes = nodes_of(&m->sparse->components[m->example[class_index]]);
@@ -252,7 +270,7 @@ void cni_tree_batches_make(cn_world *world, const cni_solve *s, cni_sparse *spar
 
 /* ---- a lane as a component of its own ---- */
 
-void cni_tree_lane_read(const cni_solve *s, cni_component *c)
+static void lane_read(const cni_solve *s, cni_component *c)
 {
 	const cni_joint_block *block = s->direct->batches[c->batch].nodes;
 	float rate = CNI_JOINT_ERROR_RATE * s->inv_h;
@@ -270,6 +288,13 @@ void cni_tree_lane_read(const cni_solve *s, cni_component *c)
 	}
 }
 
+void cni_tree_lane_system(const cni_solve *s, cni_component *c)
+{
+	const cni_tree_batch *batch = &s->direct->batches[c->batch];
+	lane_read(s, c);
+	cni_sparse_take(s->direct, c, batch->pivots + c->lane, batch->blocks + c->lane, CNI_LANES);
+}
+
 void cni_tree_lane_add(const cni_solve *s, const cni_component *c)
 {
 	cni_joint_block *block = s->direct->batches[c->batch].nodes;
@@ -278,4 +303,13 @@ void cni_tree_lane_add(const cni_solve *s, const cni_component *c)
 		block->jx[c->lane] += s->direct->nodes[k].x[0];
 		block->jy[c->lane] += s->direct->nodes[k].x[1];
 	}
+}
+
+void cni_tree_lane_lock(cn_world *world, const cni_solve *s, cni_component *c, float turn)
+{
+	if (!cni_geometric_stiffness_turns(world, s->direct, c, turn * s->inv_h))
+		return;
+	lane_read(s, c);
+	if (cni_component_lock(world, s, c, turn))
+		cni_tree_lane_add(s, c);
 }

@@ -274,13 +274,6 @@ static void violation_fix(const violation *m)
 	friction_follow(p);
 }
 
-/* 1: the impulse of sliding friction no longer matches its normal impulse. */
-static int32_t slide_is_off(const cni_direct_contact_pass *q, const cni_direct_contact *p)
-{
-	float most = p->dynamic_friction * cni_max(normal_sum(p), 0.0f), off = cni_abs(cni_abs(p->j[2]) - most);
-	return p->state[2] == CNI_ROW_SLIDES && off > CNI_SLIDE_CLOSE * most + q->speed_least * p->mass[2];
-}
-
 /* Updates the set: all violated rows at once, or the worst alone, which is slow and sure (Murty, 1974). Returns the number of violated
    rows; -1: only sliding impulses do not match. */
 static int32_t set_update(const cni_direct_contact_pass *q, int32_t all)
@@ -290,8 +283,9 @@ static int32_t set_update(const cni_direct_contact_pass *q, int32_t all)
 	int32_t i, violations = 0, off = 0;
 	worst.by = q->speed_least;
 	for (p = q->first; p < q->end; ++p) {
+		float most = p->dynamic_friction * cni_max(normal_sum(p), 0.0f);
 		violation m[3];
-		off |= slide_is_off(q, p);
+		off |= p->state[2] == CNI_ROW_SLIDES && cni_abs(cni_abs(p->j[2]) - most) > CNI_SLIDE_CLOSE * most + q->speed_least * p->mass[2];
 		m[0] = point_violation(q, p, 0);
 		m[1] = point_violation(q, p, 1);
 		m[2] = friction_violation(q, p);

@@ -238,12 +238,6 @@ static void rattle_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse
 		cni_sparse_clear(sparse, c);
 }
 
-/* One joint to the world. */
-static int32_t is_better_alone(const cni_component *c)
-{
-	return !c->uses_rattle && !c->has_contacts && c->end - c->begin == 1 && c->body_end - c->body_begin == 1;
-}
-
 void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 {
 	int32_t k, far = cni_joints_are_far(world);
@@ -276,13 +270,17 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 		} else if (is_ill_scaled(world, s, out, c)) {
 			impulses_soften(world, out, c);
 			cni_component_suspend(world, out, c, 0);
-		} else if (c->body_begin == c->body_end || is_better_alone(c))
-			cni_component_release(world, out, c);
+		} else if (c->body_begin == c->body_end || (!c->uses_rattle && !c->has_contacts && c->end - c->begin == 1 && c->body_end - c->body_begin == 1))
+			cni_component_release(world, out, c); /* one joint to the world */
 		else if (c->uses_rattle)
 			rattle_begin(world, s, out, c);
-		else if (!(c->batches = !cni_heavy_contacts_list(world, s, out, k) && CNI_ON(TREE_BATCHES) && cni_component_is_batched(world, s, out, c))) {
-			c->kind = CNI_NONE;
-			cni_direct_begin(world, s, out, c);
+		else {
+			int32_t has_heavy = cni_heavy_contacts_list(world, s, out, k);
+			c->batches = CNI_ON(TREE_BATCHES) && cni_component_is_batched(world, s, out, c, has_heavy);
+			if (!c->batches) {
+				c->kind = CNI_NONE;
+				cni_direct_begin(world, s, out, c);
+			}
 		}
 	}
 	cni_tree_batches_make(world, s, out);
@@ -326,6 +324,8 @@ void cni_direct_solve(cn_world *world, const cni_solve *s, int32_t bias)
 	cni_tree_batches_run(world, s, bias ? CNI_TREES_SOLVE : CNI_TREES_RELAX);
 	for (k = 0; k < s->direct->component_count; ++k) {
 		cni_component *c = &s->direct->components[k];
+		if (bias && c->batches && c->snaps)
+			cni_tree_lane_lock(world, s, c, CNI_SNAP_RAD);
 		if (c->done || c->batches)
 			continue;
 		if (!bias && c->joints > 0)

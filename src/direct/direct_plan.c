@@ -58,7 +58,7 @@ uint64_t cni_direct_bytes(int32_t solver, int32_t joints, int32_t contacts, int3
 	if (links == 0 || solver == CN_SOLVER_SOFT || solver == CN_SOLVER_SEQUENTIAL)
 		return 0;
 	return cni_tree_batch_bytes(joints) + link * (uint64_t)links + (sizeof(cni_direct_contact) + sizeof(int32_t)) * (uint64_t)taken +
-	       2 * sizeof(int32_t) * (uint64_t)contacts + (sizeof(float) + sizeof(cni_rot) + sizeof(int32_t)) * (uint64_t)(bodies + 1) + 896 + sizeof(cni_heavy_contact) * CNI_HEAVY_CONTACTS_MOST + cni_sparse_bytes(links, bodies + 1, work);
+	       2 * sizeof(cni_marked_lanes) * (uint64_t)contacts + (sizeof(float) + sizeof(cni_rot) + sizeof(int32_t)) * (uint64_t)(bodies + 1) + 896 + sizeof(cni_heavy_contact) * CNI_HEAVY_CONTACTS_MOST + cni_sparse_bytes(links, bodies + 1, work);
 }
 
 /* ---- joints ---- */
@@ -84,16 +84,13 @@ static int32_t joint_has_full_work(const cn_world *world, const cni_joint_constr
 	return island == CNI_NONE ? w->record->solver == CN_SOLVER_DIRECT : cni_island_at(world, island)->joints_solver == CN_SOLVER_DIRECT;
 }
 
-static int32_t is_left_soft(const cn_world *world, const cni_joint_constraint *w)
-{
-	return world->joints_soft_step > world->step_count && w->record->trust.soft && w->record->trust.until > world->step_count;
-}
-
+/* The flag `overridden` skips a test in worlds in which no joint ever had a solver of its own. */
 static int32_t constraint_is_eligible(const cn_world *world, const cni_joint_constraint *w)
 {
-	if (!CNI_ON(DIRECT_JOINTS) || (world->overridden && w->record->solver == CN_SOLVER_SOFT)) /* overridden: some joint has a solver of its own */
+	int32_t left_soft = world->joints_soft_step > world->step_count && w->record->trust.soft && w->record->trust.until > world->step_count;
+	if (!CNI_ON(DIRECT_JOINTS) || (world->overridden && w->record->solver == CN_SOLVER_SOFT))
 		return 0;
-	return (w->rigid_count > 0 || (w->flags & CNI_CONSTRAINT_TAUT)) && !is_left_soft(world, w) && !(w->flags & (CNI_CONSTRAINT_SPRINGY | CNI_CONSTRAINT_BOUNDED)) &&
+	return (w->rigid_count > 0 || (w->flags & CNI_CONSTRAINT_TAUT)) && !left_soft && !(w->flags & (CNI_CONSTRAINT_SPRINGY | CNI_CONSTRAINT_BOUNDED)) &&
 	       !(w->ia != 0 && body_is_locked(world, w->ia)) && !(w->ib != 0 && body_is_locked(world, w->ib));
 }
 
@@ -262,10 +259,10 @@ static int32_t scratch_take(cn_world *world, cni_sparse *out, int32_t contacts)
 	out->pull = (float *)cni_arena_push(arena, sizeof(float) * bodies);
 	out->turn = (cni_rot *)cni_arena_push(arena, sizeof(cni_rot) * bodies);
 	out->projections = (cni_projection *)cni_arena_push(arena, sizeof(cni_projection) * (uint64_t)out->component_count);
-	out->projection_slots = (int32_t *)cni_arena_push(arena, 2 * sizeof(int32_t) * (uint64_t)world->touching_count); /* each at two bodies */
+	out->projection_marks = (cni_marked_lanes *)cni_arena_push(arena, 2 * sizeof(cni_marked_lanes) * (uint64_t)world->touching_count); /* each at two bodies */
 	out->projection_of = (int32_t *)cni_arena_push(arena, sizeof(int32_t) * bodies);
 	out->heavies = (cni_heavy_contact *)cni_arena_push(arena, sizeof(cni_heavy_contact) * CNI_HEAVY_CONTACTS_MOST);
-	return out->contacts != NULL && out->heavies != NULL && out->saved != NULL && out->pull != NULL && out->turn != NULL && out->projections != NULL && out->projection_slots != NULL && out->projection_of != NULL;
+	return out->contacts != NULL && out->heavies != NULL && out->saved != NULL && out->pull != NULL && out->turn != NULL && out->projections != NULL && out->projection_marks != NULL && out->projection_of != NULL;
 }
 
 int32_t cni_direct_plan(cn_world *world, cni_sparse *out)

@@ -149,15 +149,18 @@ extern const cni_tree_batch_kernel cni_tree_batch_kernel_plain; /* width 1: any 
 extern const cni_tree_batch_kernel cni_tree_batch_kernel_4;     /* SSE2, NEON, WASM SIMD */
 extern const cni_tree_batch_kernel cni_tree_batch_kernel_8;     /* AVX2, chosen at run time */
 
-/* 1: the component may join a batch: it is solved directly, and not by RATTLE. */
-int32_t cni_component_is_batched(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c);
+/* 1: the component may join a batch: it is solved directly, and not by RATTLE. has_heavy: it has contacts of direct/heavy_contacts.c. */
+int32_t cni_component_is_batched(const cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c, int32_t has_heavy);
 /* Makes batches of all components whose `batches` is set; components without a batch begin as single ones. */
 void cni_tree_batches_make(cn_world *world, const cni_solve *s, cni_sparse *sparse);
 /* One of these passes over all batches. */
 void cni_tree_batches_run(cn_world *world, const cni_solve *s, int32_t pass);
-/* Reads the levers and gaps of a batched component from its lane, for cni_component_lock; then adds the impulses of the nodes to the lane. */
-void cni_tree_lane_read(const cni_solve *s, cni_component *c);
+/* Reads levers, gaps and factors of a batched component from its lane, for direct/heavy_contacts.c; then adds the impulses of the nodes to
+   the lane. */
+void cni_tree_lane_system(const cni_solve *s, cni_component *c);
 void cni_tree_lane_add(const cni_solve *s, const cni_component *c);
+/* cni_component_lock of a batched component. */
+void cni_tree_lane_lock(cn_world *world, const cni_solve *s, cni_component *c, float turn);
 /* Bound on the scratch memory of batches for this number of joints. */
 uint64_t cni_tree_batch_bytes(int32_t joints);
 
@@ -178,6 +181,8 @@ void cni_geometric_stiffness_begin(const cn_world *world, cni_sparse *sparse, cn
 /* Sets the damping rows (third rows) of pins in a component that has dampers, before its factorization. */
 void cni_geometric_stiffness_damp(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h);
 
+/* 1: a pinned body turns faster than `most`, and than its neighbour by half of that. */
+int32_t cni_geometric_stiffness_turns(const cn_world *world, const cni_sparse *sparse, const cni_component *c, float most);
 /* Locks the relative rotation of pinned bodies, until the next cni_direct_system, where one of them would turn too far in a substep for
    positions to follow: faster than `most`. Returns 1 when it locked any: the component must be factored again. */
 int32_t cni_geometric_stiffness_lock(const cn_world *world, const cni_sparse *sparse, cni_component *c, float most);

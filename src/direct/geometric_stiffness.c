@@ -132,21 +132,37 @@ void cni_geometric_stiffness_damp(const cn_world *world, cni_sparse *sparse, con
 	}
 }
 
+static int32_t turns_far(const cn_world *world, const cni_node *n, float most)
+{
+	const cni_motion *a = cni_motions(world) + n->ia, *b = cni_motions(world) + n->ib;
+	if ((cni_abs(a->w) <= most && cni_abs(b->w) <= most) || cni_abs(b->w - a->w) <= 0.5f * most)
+		return 0;
+	return n->rows == 2 && cni_joint_constraints(world)[n->owner].active_row == CNI_NONE && both_move(world, n);
+}
+
+int32_t cni_geometric_stiffness_turns(const cn_world *world, const cni_sparse *sparse, const cni_component *c, float most)
+{
+	int32_t k;
+	for (k = c->begin; k < c->end && CNI_ON(GEOMETRIC_STIFFNESS); ++k)
+		if (turns_far(world, &sparse->nodes[k], most))
+			return 1;
+	return 0;
+}
+
 int32_t cni_geometric_stiffness_lock(const cn_world *world, const cni_sparse *sparse, cni_component *c, float most)
 {
-	const cni_motion *motions = cni_motions(world);
-	int32_t k, found = 0;
-	for (k = c->begin; k < c->end && CNI_ON(GEOMETRIC_STIFFNESS); ++k) {
+	int32_t k;
+	if (!cni_geometric_stiffness_turns(world, sparse, c, most))
+		return 0;
+	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
-		if (n->rows != 2 || cni_joint_constraints(world)[n->owner].active_row != CNI_NONE || !both_move(world, n) ||
-		    (cni_abs(motions[n->ia].w) <= most && cni_abs(motions[n->ib].w) <= most) || cni_abs(motions[n->ib].w - motions[n->ia].w) <= 0.5f * most)
+		if (!turns_far(world, n, most))
 			continue;
-		c->width = CNI_NODE_ROWS;
-		c->damps = 1;
 		n->levers.aw[2] = -1.0f;
 		n->levers.bw[2] = 1.0f;
 		n->compliance[2] = 0.0f;
-		found = 1;
 	}
-	return found;
+	c->width = CNI_NODE_ROWS;
+	c->damps = 1;
+	return 1;
 }

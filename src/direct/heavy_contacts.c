@@ -64,13 +64,21 @@ static cni_motion *change_of(changes *d, int32_t index)
 	return index == d->p.ia ? &d->a : index == d->p.ib ? &d->b : &d->rest;
 }
 
+static int32_t is_at(const changes *d, const cni_node *n)
+{
+	return n->ia == d->p.ia || n->ia == d->p.ib || n->ib == d->p.ia || n->ib == d->p.ib;
+}
+
 /* Right sides of the joints against these changes. */
 static void sides_set(const cni_sparse *sparse, const cni_component *c, changes *d)
 {
 	int32_t k;
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
-		cni_four_store(n->x, cni_four_scale(cni_levers_speed(&n->levers, change_of(d, n->ia), change_of(d, n->ib)), -1.0f));
+		if (!is_at(d, n))
+			cni_four_store(n->x, cni_four_all(-0.0f));
+		else
+			cni_four_store(n->x, cni_four_scale(cni_levers_speed(&n->levers, change_of(d, n->ia), change_of(d, n->ib)), -1.0f));
 	}
 }
 
@@ -83,8 +91,8 @@ static void response_add(cni_sparse *sparse, const cni_component *c, changes *d)
 		return;
 	for (k = c->begin; k < c->end; ++k) {
 		const cni_node *n = &sparse->nodes[k];
-		cni_levers_push(&n->levers, n->x, change_of(d, n->ia), change_of(d, n->ib), CNI_NODE_ROWS);
-		d->rest = at_rest(&d->rest);
+		if (is_at(d, n))
+			cni_levers_push(&n->levers, n->x, change_of(d, n->ia), change_of(d, n->ib), CNI_NODE_ROWS);
 	}
 }
 
@@ -198,29 +206,30 @@ static int32_t is_pressed(const cn_world *world, const cni_solve *s, int32_t con
 {
 	float stress = slow ? CNI_HEAVY_SLOW_STRESS : fixed ? CNI_HEAVY_STATIC_STRESS : CNI_HEAVY_CONTACT_STRESS;
 	float speed = stress * cni_length(world->settings.gravity) * s->h;
-	changes d = changes_begin(world, contact);
-	const cni_direct_contact *p = &d.p;
-	const cni_motion *a = cni_motions(world) + p->ia, *b = cni_motions(world) + p->ib;
-	int32_t k;
+	int32_t k, slot = cni_contact_at(world, contact)->slot, l = slot % CNI_LANES, idle = 0;
+	const cni_contact_row *rows = cni_block_at(world, slot / CNI_LANES)->p;
 	for (k = 0; k < 2; ++k) {
-		float closing;
-		if (p->j[k] > speed * p->mass[k])
+		if (rows[k].jn[l] > speed * rows[k].nm[l])
 			return 1;
-		if (p->mass[k] <= 0.0f || p->j[k] > 0.0f)
+		idle |= (rows[k].nm[l] > 0.0f && !(rows[k].jn[l] > 0.0f)) << k;
+	}
+	for (k = 0; idle >> k != 0; ++k) {
+		const changes d = changes_begin(world, contact);
+		float closing = cni_direct_contact_speed(&d.p, k, cni_motions(world) + d.p.ia, cni_motions(world) + d.p.ib);
+		if (!(idle >> k & 1) || !(!fixed || slow || closing < s->contact[0].impact_speed))
 			continue;
-		closing = cni_direct_contact_speed(p, k, a, b);
-		if ((!fixed || slow || closing < s->contact[0].impact_speed) && cni_direct_contact_separation(p, k, a, b) + s->dt * closing < world->settings.slop)
+		if (cni_direct_contact_separation(&d.p, k, cni_motions(world) + d.p.ia, cni_motions(world) + d.p.ib) + s->dt * closing < world->settings.slop)
 			return 1;
 	}
 	return 0;
 }
 
-/* 1: the component could be in a batch with others of its class, which it leaves for contacts that are solved here. */
+/* 1: the component could be in a batch with others of its class that have no contacts that are solved here. */
 static int32_t is_batchable(const cni_sparse *sparse, const cni_component *c)
 {
 	int32_t k;
 	for (k = 0; k < sparse->component_count && c->kind != CNI_NONE; ++k)
-		if (sparse->components[k].kind == c->kind && &sparse->components[k] != c)
+		if (sparse->components[k].kind == c->kind && !sparse->components[k].snaps && &sparse->components[k] != c)
 			return 1;
 	return 0;
 }
@@ -240,10 +249,12 @@ static void body_contacts_list(const cn_world *world, const cni_solve *s, cni_sp
 		--left;
 		if ((light && *lane_restitution(world, key >> 1) <= 0.0f) || cni_direct_lane_is_locked(world, c))
 			continue;
+		/* A jointed body that is not heavier is in a component that could list the contact itself. */
+		if (light ? (cni_externals(world)[other->awake].flags & CNI_EXTERNAL_JOINTED) != 0 : !is_pressed(world, s, key >> 1, inv_mass == 0.0f, slow))
+			continue;
 		h = heavy_make(world, s, component, key >> 1);
 		h.is_light = (uint8_t)light;
-		/* A jointed body that is not heavier is in a component that could list the contact itself. */
-		if (light ? bounces(&h) && !(cni_externals(world)[other->awake].flags & CNI_EXTERNAL_JOINTED) : is_pressed(world, s, key >> 1, inv_mass == 0.0f, slow))
+		if (!light || bounces(&h))
 			sparse->heavies[sparse->heavy_count++] = h;
 	}
 }
@@ -320,7 +331,10 @@ void cni_heavy_contacts_find(cn_world *world, const cni_solve *s, cni_sparse *sp
 {
 	int32_t begin, end, k, listed = sparse->heavy_count;
 	for (begin = 0; begin < listed; begin = end) {
+		cni_component *c = &sparse->components[sparse->heavies[begin].component];
 		end = end_of(sparse, begin);
+		if (c->batches)
+			cni_tree_lane_system(s, c);
 		responses_find(world, s, sparse, begin, end);
 	}
 	sparse->heavy_count = 0;
@@ -357,13 +371,11 @@ static float friction_target(const cni_direct_contact *p, float m, float speed)
 	return cni_clamp(target, -most, most);
 }
 
-static float row_target(const cn_world *world, const cni_solve *s, const cni_heavy_contact *h, const changes *d, int32_t row, float speed, int32_t pass)
+static float row_target(const cn_world *world, const cni_solve *s, const cni_heavy_contact *h, const cni_direct_contact *p, int32_t row, float speed, float separation, int32_t pass)
 {
-	const cni_direct_contact *p = &d->p;
-	float m = 1.0f / h->k[row][row], separation;
+	float m = 1.0f / h->k[row][row];
 	if (row == 2)
 		return pass == PASS_BOUNCE ? p->j[2] : friction_target(p, m, speed - h->tangent_speed);
-	separation = cni_direct_contact_separation(p, row, cni_motions(world) + d->p.ia, cni_motions(world) + d->p.ib);
 	if (pass == PASS_BOUNCE) /* what touches reaches its speed after the impact */
 		return separation > world->settings.slop ? p->j[row] : cni_max(p->j[row] + (h->bounce[row] - speed) / h->k[row][row], 0.0f);
 	return cni_min(cni_max(h->impulse_most, p->j[row]), normal_target(s, p, row, m, speed, separation, pass));
@@ -372,16 +384,17 @@ static float row_target(const cn_world *world, const cni_solve *s, const cni_hea
 static void rows_solve(const cn_world *world, const cni_solve *s, const cni_heavy_contact *h, changes *d, int32_t pass)
 {
 	cni_direct_contact *p = &d->p;
-	float u[3];
+	const cni_motion *a = cni_motions(world) + p->ia, *b = cni_motions(world) + p->ib;
+	float u[3], separation[3] = { cni_direct_contact_separation(p, 0, a, b), cni_direct_contact_separation(p, 1, a, b), 0.0f };
 	int32_t round, row, k;
 	for (k = 0; k < 3; ++k)
-		u[k] = cni_direct_contact_speed(p, k, cni_motions(world) + d->p.ia, cni_motions(world) + d->p.ib);
+		u[k] = cni_direct_contact_speed(p, k, a, b);
 	for (round = 0; round < CNI_HEAVY_CONTACT_ROUNDS; ++round)
 		for (row = 0; row < 3; ++row) {
 			float target;
 			if (p->mass[row] <= 0.0f)
 				continue;
-			target = row_target(world, s, h, d, row, u[row], pass);
+			target = row_target(world, s, h, p, row, u[row], separation[row], pass);
 			for (k = 0; k < 3; ++k)
 				u[k] += h->k[k][row] * (target - p->j[row]);
 			p->j[row] = target;
@@ -411,6 +424,8 @@ static void impulses_apply(cn_world *world, const cni_solve *s, cni_component *c
 	sides_set(s->direct, c, d);
 	if (!cni_direct_apply(world, s->direct, c))
 		cni_component_suspend(world, s->direct, c, 0);
+	else if (c->batches)
+		cni_tree_lane_add(s, c);
 }
 
 /* Finds the impulses of a pass. Returns 0 where they change nothing, so that they are not applied. */
@@ -441,9 +456,11 @@ static void contact_solve(cn_world *world, const cni_solve *s, cni_heavy_contact
 static void component_solve(cn_world *world, const cni_solve *s, int32_t begin, int32_t end, int32_t bias)
 {
 	cni_heavy_contact *heavies = s->direct->heavies;
-	const cni_component *c = &s->direct->components[heavies[begin].component];
+	cni_component *c = &s->direct->components[heavies[begin].component];
 	float turn = turn_of(world, s->direct, c);
 	int32_t k, stale = 0;
+	if (c->batches && !bias)
+		cni_tree_lane_system(s, c);
 	for (k = begin; k < end && !bias && !c->done; ++k)
 		stale |= turn > heavies[k].turn_most;
 	if (stale)

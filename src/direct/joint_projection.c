@@ -17,6 +17,8 @@
 
 #include <string.h>
 
+#define MARKS_LOOKED_AT 16
+
 void cni_projection_mark(const cn_world *world, cni_sparse *sparse)
 {
 	int32_t k, i;
@@ -30,7 +32,7 @@ void cni_projection_mark(const cn_world *world, cni_sparse *sparse)
 		for (i = c->body_begin; i < c->body_end; ++i)
 			sparse->projection_of[sparse->bodies[i]] = k;
 		sparse->projections[k].listed = 1;
-		sparse->projections[k].slot_begin = CNI_NONE;
+		sparse->projections[k].mark_begin = CNI_NONE;
 		++sparse->projection_count;
 	}
 }
@@ -107,14 +109,24 @@ static void drifts_add(const cn_world *world, const cni_solve *s, const cni_comp
 	}
 }
 
-/* Marks the projection of a body as changed; index: dense. */
-static void change_mark(cni_sparse *sparse, int32_t index)
+/* Adds a contact to the marks of a component: to one of the last few of the same block, or as one more. */
+static void mark_add(const cn_world *world, cni_sparse *sparse, int32_t component, int32_t slot)
 {
-	if (sparse->projection_of[index] != CNI_NONE)
-		sparse->projections[sparse->projection_of[index]].changed = 1;
+	const cni_contact_block *block = cni_block_at(world, slot / CNI_LANES);
+	int32_t a = sparse->projection_of[block->ia[slot % CNI_LANES]], b = sparse->projection_of[block->ib[slot % CNI_LANES]], other = a == component ? b : a;
+	cni_marked_lanes *end = sparse->projection_marks + sparse->projection_mark_count, *m = sparse->projection_marks + sparse->projections[component].mark_begin;
+	for (m = end - m > MARKS_LOOKED_AT ? end - MARKS_LOOKED_AT : m; m < end && (m->block != slot / CNI_LANES || m->other != other); ++m)
+		;
+	if (m == end) {
+		++sparse->projection_mark_count;
+		m->block = slot / CNI_LANES;
+		m->lanes = 0;
+		m->other = other;
+	}
+	m->lanes |= 1u << slot % CNI_LANES;
 }
 
-static void body_slots_find(const cn_world *world, cni_sparse *sparse, const cni_body *b)
+static void body_marks_find(const cn_world *world, cni_sparse *sparse, int32_t component, const cni_body *b)
 {
 	int32_t key, left = b->lanes;
 	for (key = b->contact_first; left > 0; key = cni_contact_of_key(world, key)->next[key & 1]) {
@@ -122,18 +134,19 @@ static void body_slots_find(const cn_world *world, cni_sparse *sparse, const cni
 		if (!(contact->flags & CNI_CONTACT_TOUCHING) || contact->slot == CNI_NONE)
 			continue;
 		--left;
-		sparse->projection_slots[sparse->projection_slot_count++] = contact->slot;
+		mark_add(world, sparse, component, contact->slot);
 	}
 }
 
-/* Slots of the contacts of its bodies: fixed during the substeps. */
-static void slots_find(const cn_world *world, cni_sparse *sparse, const cni_component *c, cni_projection *projection)
+/* Those of the contacts of its bodies: fixed during the substeps. */
+static void marks_find(const cn_world *world, cni_sparse *sparse, int32_t component)
 {
+	const cni_component *c = &sparse->components[component];
 	int32_t k;
-	projection->slot_begin = sparse->projection_slot_count;
+	sparse->projections[component].mark_begin = sparse->projection_mark_count;
 	for (k = c->body_begin; k < c->body_end; ++k)
-		body_slots_find(world, sparse, cni_body_at(world, cni_awake_ids(world)[sparse->bodies[k]]));
-	projection->slot_end = sparse->projection_slot_count;
+		body_marks_find(world, sparse, component, cni_body_at(world, cni_awake_ids(world)[sparse->bodies[k]]));
+	sparse->projections[component].mark_end = sparse->projection_mark_count;
 }
 
 /* Marks the contacts of a component's bodies that are in lanes, and what they will change. */
@@ -141,14 +154,15 @@ static void contacts_mark(const cn_world *world, cni_sparse *sparse, int32_t com
 {
 	cni_projection *projection = &sparse->projections[component];
 	int32_t k;
-	if (projection->slot_begin == CNI_NONE)
-		slots_find(world, sparse, &sparse->components[component], projection);
-	for (k = projection->slot_begin; k < projection->slot_end; ++k) {
-		int32_t slot = sparse->projection_slots[k];
-		const cni_contact_block *block = cni_block_at(world, slot / CNI_LANES);
-		cni_contact_mark_again(world, slot);
-		change_mark(sparse, block->ia[slot % CNI_LANES]);
-		change_mark(sparse, block->ib[slot % CNI_LANES]);
+	if (projection->mark_begin == CNI_NONE)
+		marks_find(world, sparse, component);
+	for (k = projection->mark_begin; k < projection->mark_end; ++k) {
+		const cni_marked_lanes *m = &sparse->projection_marks[k];
+		cni_block_info *info = cni_block_info_at(world, m->block);
+		info->again = (cni_lane_bits)(info->again | m->lanes);
+		projection->changed = 1;
+		if (m->other != CNI_NONE)
+			sparse->projections[m->other].changed = 1;
 	}
 }
 
@@ -182,17 +196,6 @@ static int32_t component_project(cn_world *world, const cni_solve *s, cni_compon
 	return 1;
 }
 
-/* Returns 1 when its batch has solved it. */
-static int32_t lane_project(cn_world *world, const cni_solve *s, cni_component *c)
-{
-	if (!(s->direct->batches[c->batch].opening >> c->lane & 1u))
-		return 0;
-	cni_tree_lane_read(s, c);
-	if (cni_component_lock(world, s, c, CNI_BUCKLE_RAD))
-		cni_tree_lane_add(s, c);
-	return 1;
-}
-
 /* Returns 1 when some joints were opening, so that their contacts must be solved once more. */
 static int32_t projections_run(cn_world *world, const cni_solve *s, int32_t round)
 {
@@ -202,8 +205,10 @@ static int32_t projections_run(cn_world *world, const cni_solve *s, int32_t roun
 	for (k = 0; k < s->direct->component_count; ++k) {
 		cni_projection *p = &s->direct->projections[k];
 		cni_component *c = &s->direct->components[k];
-		int32_t most = cni_max_i(1, cni_min_i(c->end - c->begin - 1, CNI_PROJECTION_ROUNDS)); /* an impact travels through a tree joint by joint */
-		p->opening = p->selected && (c->batches ? lane_project(world, s, c) : component_project(world, s, c)) && round < most;
+		int32_t solved = p->selected && (c->batches ? (int32_t)(s->direct->batches[c->batch].opening >> c->lane & 1u) : component_project(world, s, c));
+		if (solved && c->batches)
+			cni_tree_lane_lock(world, s, c, CNI_BUCKLE_RAD);
+		p->opening = solved && round < cni_max_i(1, cni_min_i(c->end - c->begin - 1, CNI_PROJECTION_ROUNDS)); /* an impact travels joint by joint */
 		opening |= p->opening;
 	}
 	return opening;

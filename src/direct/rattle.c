@@ -175,19 +175,13 @@ static void push_and_move(const rattle_step *g, float part)
 	}
 }
 
-static void rotations_find(const rattle_step *g)
-{
-	int32_t k;
-	for (k = g->c->body_begin; k < g->c->body_end; ++k)
-		g->sparse->turn[g->sparse->bodies[k]] = cni_rot_small(g->motions[g->sparse->bodies[k]].theta);
-}
-
 /* Builds the rows at the present positions and sets x to the right sides that close the gaps. Returns the largest gap. */
 static float gaps_find(const rattle_step *g)
 {
 	float largest = 0.0f, inv_h = 1.0f / g->h;
 	int32_t k, i;
-	rotations_find(g);
+	for (k = g->c->body_begin; k < g->c->body_end; ++k)
+		g->sparse->turn[g->sparse->bodies[k]] = cni_rot_small(g->motions[g->sparse->bodies[k]].theta);
 	for (k = g->c->begin; k < g->c->end; ++k) {
 		cni_node *n = &g->sparse->nodes[k];
 		cni_joint_constraint *w = constraint_of(g, k);
@@ -531,12 +525,6 @@ static int32_t substeps_run(rattle_step *g, const cni_solve *s, int32_t substeps
 	return 1;
 }
 
-/* Did a step by RATTLE gain no more energy than it may? NaN does not fit. */
-static int32_t gain_fits(const rattle_step *g, const rattle_energies *before, float gained)
-{
-	return gained <= CNI_RATTLE_ENERGY_PART * before->total + before->allowed + g->energy_error;
-}
-
 /* Projections cannot raise kinetic energy: any gain is rounding. Moving bases may do any work. */
 static int32_t projection_fits(const rattle_step *g, const rattle_energies *before, const rattle_energies *after)
 {
@@ -563,8 +551,8 @@ static int32_t step_try(rattle_step *g, const cni_solve *s, cni_component *c, in
 		return 0;
 	after = cni_rattle_energies(g, s->dt);
 	gained = after.total - before.total - g->base_work;
-	if (!(projects ? projection_fits(g, &before, &after) : gain_fits(g, &before, gained)))
-		return 0;
+	if (!(projects ? projection_fits(g, &before, &after) : gained <= CNI_RATTLE_ENERGY_PART * before.total + before.allowed + g->energy_error))
+		return 0; /* so does NaN */
 	cni_rattle_account(g, &after, t, gained);
 	return 1;
 }
@@ -588,13 +576,7 @@ static int32_t attempt_work(const cni_component *c, int32_t substeps)
 	return work < CNI_ATTEMPT_WORK ? (int32_t)work : CNI_ATTEMPT_WORK;
 }
 
-/* 1: the work of the step allows another attempt with this number of substeps. */
-static int32_t may_retry(const cn_world *world, const cni_component *c, int32_t substeps)
-{
-	return world->settings.solver != CN_SOLVER_AUTO || world->set_work + attempt_work(c, substeps) <= CNI_ATTEMPT_PASS_WORK;
-}
-
-/* Runs RATTLE with twice the substeps after each failure. Returns 1 when a step succeeded. */
+/* Runs RATTLE with twice the substeps after each failure, as the work of the step allows. Returns 1 when a step succeeded. */
 static int32_t rattle_run(rattle_step *g, const cni_solve *s, cni_component *c, int32_t substeps, cni_joint_trust *t)
 {
 	cni_joint_trust before = *t;
@@ -605,7 +587,7 @@ static int32_t rattle_run(rattle_step *g, const cni_solve *s, cni_component *c, 
 		step_undo(g);
 		g->world->set_work += attempt_work(c, substeps);
 		substeps *= 2;
-	} while (substeps <= CNI_RATTLE_SUBSTEPS_RETRY && may_retry(g->world, c, substeps));
+	} while (substeps <= CNI_RATTLE_SUBSTEPS_RETRY && (g->world->settings.solver != CN_SOLVER_AUTO || g->world->set_work + attempt_work(c, substeps) <= CNI_ATTEMPT_PASS_WORK));
 	return 0;
 }
 

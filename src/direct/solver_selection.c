@@ -242,11 +242,6 @@ void cni_island_refuse(cn_world *world, int32_t island, int32_t reason)
 
 /* ---- the search for bad contacts ---- */
 
-static int32_t lane_is_new(const cni_contact_block *k, int32_t l, float slop)
-{
-	return k->p[0].jn[l] + k->p[1].jn[l] == 0.0f && overlap(k, l) > -0.1f * slop;
-}
-
 /* 1: the contact may come to carry that much: a much heavier body lies on it, or it carries half as much already. */
 static int32_t may_be_stressed(const cn_world *world, const cni_contact_block *k, int32_t l, float h)
 {
@@ -280,20 +275,13 @@ static int32_t lane_reason(const cn_world *world, const lane_scan *q, const cni_
 	return deep > q->most ? CN_TIER_REASON_OVERLAP : CN_TIER_REASON_NEW_CONTACT;
 }
 
-/* 1: the island was found bad in this step and stays soft; more bad contacts change nothing. */
-static int32_t island_is_settled(const cn_world *world, int32_t island)
-{
-	const cni_island *i = cni_island_at(world, island);
-	return i->tier != CNI_TIER_DIRECT && i->looked_step == world->step_count + 1u;
-}
-
 static void lane_check(cn_world *world, lane_scan *q, const cni_contact_block *k, int32_t l, int32_t is_new)
 {
 	int32_t island = cni_awake_island(world, k->ia[l]), reason;
 	if (island == CNI_NONE)
 		return;
-	if (island_is_settled(world, island)) {
-		q->done = island;
+	if (cni_island_at(world, island)->tier != CNI_TIER_DIRECT && cni_island_at(world, island)->looked_step == world->step_count + 1u) {
+		q->done = island; /* it was found bad in this step and stays soft */
 		return;
 	}
 	reason = lane_reason(world, q, k, l, is_new);
@@ -303,7 +291,7 @@ static void lane_check(cn_world *world, lane_scan *q, const cni_contact_block *k
 
 static void new_lane_check(cn_world *world, lane_scan *q, const cni_contact_block *k, int32_t l)
 {
-	int32_t is_new = lane_is_new(k, l, world->settings.slop);
+	int32_t is_new = k->p[0].jn[l] + k->p[1].jn[l] == 0.0f && overlap(k, l) > -0.1f * world->settings.slop;
 	if (is_new)
 		new_contact_count(world, k->ia[l]);
 	if (cni_awake_island(world, k->ia[l]) != q->done)
@@ -353,13 +341,6 @@ static void lanes_check(cn_world *world, float h)
 	world->piles_unheld = 0;
 }
 
-/* 1: the island has moved for so long that no impulses hold it. An exact solution of its fall is not worth its work. */
-static int32_t is_falling(const cn_world *world, const cni_island *i)
-{
-	return i->solver != CN_SOLVER_DIRECT && i->gives_step == world->step_count && world->step_count > 0 &&
-		i->falls_steps >= CNI_SELECTION_FALL_STEPS;
-}
-
 /* An island of leaning bodies stays direct until it sleeps or moves: soft contacts yield, and the yield is not recovered. */
 static void leaning_island_keep(cn_world *world, int32_t island, float h)
 {
@@ -393,7 +374,8 @@ static void list_update(cn_world *world, float h)
 			i->reason = CN_TIER_REASON_JOINTED;
 			continue;
 		}
-		if (is_falling(world, i)) {
+		if (i->solver != CN_SOLVER_DIRECT && i->gives_step == world->step_count && world->step_count > 0 && i->falls_steps >= CNI_SELECTION_FALL_STEPS) {
+			/* it has moved for so long that no impulses hold it, and an exact solution of its fall is not worth its work */
 			cni_island_refuse(world, island, CN_TIER_REASON_MOVING);
 			continue;
 		}

@@ -274,12 +274,6 @@ void cni_joint_blocks_begin(cn_world *world)
 	world->joint_blocks.count = 0;
 }
 
-/* 1: every joint is in its lane of the last step. Directly solved joints would take their lanes first. */
-static int32_t lanes_are_kept(const cn_world *world, const cni_solve *s)
-{
-	return world->joint_lanes.lanes > 0 && world->joint_lanes.filled == world->joint_lanes.lanes && (s->direct == NULL || s->direct->node_count == 0);
-}
-
 /* 1: the other inputs of planning, which may change while lanes do not, also allow to skip it. */
 static int32_t planning_is_needless(const cn_world *world)
 {
@@ -353,7 +347,8 @@ void cni_joint_blocks_gather(cn_world *world, const cni_solve *s)
 {
 	cni_lanes_kept *kept = &world->joint_lanes;
 	int32_t left;
-	if (lanes_are_kept(world, s)) { /* locked bodies are known for these alone */
+	if (kept->lanes > 0 && kept->filled == kept->lanes && (s->direct == NULL || s->direct->node_count == 0)) {
+		/* every joint is in its lane of the last step, of which directly solved ones would have taken theirs first; locked bodies are known for these alone */
 		kept->alone = s->direct == NULL && !world->direct_failed && planning_is_needless(world);
 		kept->budget = budget_of(world);
 		world->joint_blocks.count = kept->blocks;

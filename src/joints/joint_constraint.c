@@ -114,22 +114,15 @@ static void row_decouple(cni_joint_constraint *w, int32_t k, const cni_motion *a
 		cni_lever_add(&r->lever, share[i], &w->rows[i].lever);
 }
 
-static int32_t rows_together(const cni_row *rows, int32_t count)
-{
-	int32_t k = 0;
-	while (k < count && (rows[k].kind == CNI_ROW_RIGID || rows[k].kind == CNI_ROW_DRIVE))
-		++k;
-	return k;
-}
-
 /* The rows stay the same in the same order during a step: the first build sets rigid_count. */
 static void rows_build(cni_joint_constraint *w, const cni_motion *a, const cni_motion *b)
 {
 	cni_joint_frame f = constraint_frame(w, a, b);
 	int32_t k;
 	w->row_count = w->make_rows(w->record, &f, w->rows);
-	if (w->rigid_count < 0)
-		w->rigid_count = rows_together(w->rows, w->row_count);
+	for (k = 0; w->rigid_count < 0; ++k)
+		if (k == w->row_count || (w->rows[k].kind != CNI_ROW_RIGID && w->rows[k].kind != CNI_ROW_DRIVE))
+			w->rigid_count = k;
 	cni_rows_invert(w->rows, w->rigid_count, a, b, w->numbers->inverse);
 	for (k = w->rigid_count; k < w->row_count; ++k) {
 		float mass;
@@ -305,12 +298,6 @@ void cni_joint_rows_end(const cn_world *world, const cni_joint_constraint *w, cn
 
 /* ---- within the step ---- */
 
-static int32_t row_turned_back(const cni_row *r, const cni_row *old)
-{
-	const cni_lever *l = &r->lever, *was = &old->lever;
-	return (r->angular ? l->bw * was->bw : l->bx * was->bx + l->by * was->by + l->ax * was->ax + l->ay * was->ay) < 0.0f;
-}
-
 /* A directly solved pin without other rows. Its inverse, which nothing reads while it is, stays that of the step's beginning. */
 static void pin_renew(cn_world *world, cni_joint_constraint *w)
 {
@@ -335,9 +322,10 @@ static void rows_renew(cn_world *world, cni_joint_constraint *w)
 	change_a.vx = change_a.vy = change_a.w = 0.0f;
 	change_b.vx = change_b.vy = change_b.w = 0.0f;
 	for (k = 0; k < w->row_count; ++k) {
+		const cni_lever *l = &w->rows[k].lever, *was = &old[k].lever;
 		float impulse = old[k].impulse;
-		cni_lever_push(&old[k].lever, -impulse, &change_a, &change_b);
-		if (row_turned_back(&w->rows[k], &old[k]))
+		cni_lever_push(was, -impulse, &change_a, &change_b);
+		if ((w->rows[k].angular ? l->bw * was->bw : l->bx * was->bx + l->by * was->by + l->ax * was->ax + l->ay * was->ay) < 0.0f)
 			impulse = 0.0f; /* the limit changed sides */
 		w->rows[k].impulse = impulse;
 		cni_lever_push(&w->rows[k].lever, impulse, &change_a, &change_b);

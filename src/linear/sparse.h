@@ -88,6 +88,7 @@ typedef struct cni_component {
 	int32_t kind;                  /* topology class or CNI_NONE: linear/topology_class.c */
 	int32_t batches;                 /* 1: solved side by side with others of its class: direct/batched_trees.c */
 	int32_t batch, lane;            /* ... where */
+	int32_t snaps;                  /* ... 1: its joints may have to be locked in this step */
 } cni_component;
 
 /* Of a component whose joints contacts may open: direct/joint_projection.c. */
@@ -96,8 +97,15 @@ typedef struct cni_projection {
 	int32_t selected;              /* 1: to be checked, because its bodies may have changed since the last check */
 	int32_t opening;               /* 1: contacts would open some of its joints in this substep */
 	int32_t changed;               /* 1: contacts have changed its bodies since the last check */
-	int32_t slot_begin, slot_end;  /* in projection_slots; CNI_NONE: not looked up in this step */
+	int32_t mark_begin, mark_end;  /* in projection_marks; CNI_NONE: not looked up in this step */
 } cni_projection;
+
+/* Contacts of a projection's bodies that are lanes of one block. */
+typedef struct cni_marked_lanes {
+	int32_t block;
+	uint32_t lanes;
+	int32_t other; /* component of their other bodies, if contacts may open it, or CNI_NONE */
+} cni_marked_lanes;
 
 /* A contact of a body with a lighter one of a component: direct/heavy_contacts.c. */
 #define CNI_HEAVY_CONTACTS_MOST 32 /* in a step */
@@ -146,8 +154,8 @@ typedef struct cni_sparse {
 	int32_t contact_count;
 	cni_projection *projections;          /* direct/joint_projection.c, by component */
 	int32_t projection_count;             /* components of which it is used */
-	int32_t *projection_slots;        /* slots of the contacts of each projection's bodies */
-	int32_t projection_slot_count;
+	cni_marked_lanes *projection_marks; /* the contacts of each projection's bodies */
+	int32_t projection_mark_count;
 	int32_t *projection_of;           /* by dense body: its component, if contacts may open it, or CNI_NONE */
 	cni_heavy_contact *heavies;   /* direct/heavy_contacts.c */
 	int32_t heavy_count;
@@ -181,6 +189,8 @@ uint64_t cni_sparse_bytes(int32_t count, int32_t body_count, int64_t work_most);
 uint64_t cni_sparse_kept_bytes(int32_t count, int64_t work_most);
 /* Computes pivots and blocks from the levers of the component's nodes. */
 void cni_sparse_factor(cni_sparse *sparse, const cni_component *c, const cni_motion *motions);
+/* Takes factors of width 2 that have lanes of `stride` floats: of pivots 00, 01, 11, of blocks 00, 01, 10, 11. */
+void cni_sparse_take(cni_sparse *s, const cni_component *c, const float *pivots, const float *blocks, int32_t stride);
 /* After it: 1 if elimination has left of some row no more than this part of its diagonal, so that others nearly say the same. */
 int32_t cni_sparse_is_redundant(const cni_sparse *s, const cni_component *c, float part);
 /* Replaces the right hand sides in the nodes' x by the solution. 0: some x is not finite, because floats cannot hold these

@@ -37,11 +37,6 @@ static int32_t below_most(int32_t count, int64_t work_most)
 	return count * 2 + (int32_t)(work_held(count, work_most) / 3) + 16;
 }
 
-static int32_t couplings_most(int32_t count, int64_t work_most)
-{
-	return cni_min_i(below_most(count, work_most), count * COUPLINGS_EACH);
-}
-
 static uint64_t rounded(uint64_t bytes)
 {
 	return (bytes + 15) & ~(uint64_t)15;
@@ -132,7 +127,7 @@ static uint64_t planner_cut(uint8_t *memory, int32_t n, int32_t bodies, cni_plan
 
 uint64_t cni_sparse_kept_bytes(int32_t count, int64_t work_most)
 {
-	kept_head h = { 0, count, count, below_most(count, work_most), couplings_most(count, work_most), count, 2 * count };
+	kept_head h = { 0, count, count, below_most(count, work_most), cni_min_i(below_most(count, work_most), count * COUPLINGS_EACH), count, 2 * count };
 	kept_plan unused;
 	return kept_cut(NULL, &h, &unused);
 }

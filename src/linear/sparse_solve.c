@@ -263,6 +263,16 @@ void cni_sparse_factor(cni_sparse *s, const cni_component *c, const cni_motion *
 		factor(s, c, motions, 3);
 }
 
+void cni_sparse_take(cni_sparse *s, const cni_component *c, const float *pivots, const float *blocks, int32_t stride)
+{
+	region r = region_of(s, c);
+	int32_t k;
+	for (k = c->begin; k < c->end; ++k, pivots += 3 * stride)
+		cni_four_store(pivot_at(&r, k, 2), cni_four_of(pivots[0], pivots[stride], pivots[stride], pivots[2 * stride]));
+	for (k = r.block_first; k < s->first[c->end]; ++k, blocks += 4 * stride)
+		cni_four_store(block_at(&r, k, 2), cni_four_of(blocks[0], blocks[2 * stride], blocks[stride], blocks[3 * stride]));
+}
+
 int32_t cni_sparse_is_redundant(const cni_sparse *s, const cni_component *c, float part)
 {
 	region r = region_of(s, c);

@@ -130,7 +130,7 @@ typedef struct cni_block_info {
 	cni_lane_bits of_b;              /* ... the normal is that of a face of lane body b; without a face, both shapes are circles */
 	cni_lane_bits face;              /* ... corners or circles of one body touch a face of the other */
 	cni_lane_bits points_of_b;       /* ... the points are corners or circles of lane body b */
-	cni_lane_bits again;             /* bits of marked lanes: cni_contact_mark_again */
+	cni_lane_bits again;             /* bits of marked lanes: CNI_PASS_AGAIN */
 	int32_t sums;                    /* index of its cni_block_sums, or CNI_NONE; within a step, where world.sums is not NULL */
 } cni_block_info;
 

@@ -221,7 +221,7 @@ CNI_TUNING_FLOAT(CNI_HEAVY_STATIC_STRESS, 300.0f)
    102 still moved after 20 s, 22 with this. */
 CNI_TUNING_FLOAT(CNI_HEAVY_SLOW_STRESS, 3.0f)
 CNI_TUNING_FLOAT(CNI_HEAVY_SLOW_SPEED, 1.0f)
-/* Blocks of the system of a component that leaves a batch for that, at most: ragdolls on hills would take 1.75 times as long. */
+/* Blocks of the system of a component that has others of its class, at most: ragdolls on hills would take 1.75 times as long. */
 CNI_TUNING_COUNT(CNI_HEAVY_SLOW_BLOCKS, 12)
 /* Part by which the root of such a contact's inverse mass may change, as joints turn, until their response is found again. */
 CNI_TUNING_FLOAT(CNI_HEAVY_TURN_PART, 0.3f)

@@ -198,12 +198,6 @@ static const cni_body *body_at(const cn_world *world, int32_t index)
 	return cni_body_at(world, cni_awake_ids(world)[index]);
 }
 
-static void record_prefetch(const cn_world *world, int32_t index)
-{
-	CNI_PREFETCH(&body_at(world, index)->cx);
-	CNI_PREFETCH(&body_at(world, index)->w);
-}
-
 static void means_find(const cn_world *world, const body_group *p, correction *t)
 {
 	const cni_body *first = body_at(world, p->bodies[0]);
@@ -212,8 +206,10 @@ static void means_find(const cn_world *world, const body_group *p, correction *t
 		const cni_body *b = body_at(world, p->bodies[k]);
 		const cni_motion *m = cni_motions(world) + p->bodies[k];
 		float mass = 1.0f / m->inv_mass;
-		if (k + RECORDS_AHEAD < p->count)
-			record_prefetch(world, p->bodies[k + RECORDS_AHEAD]);
+		if (k + RECORDS_AHEAD < p->count) {
+			CNI_PREFETCH(&body_at(world, p->bodies[k + RECORDS_AHEAD])->cx);
+			CNI_PREFETCH(&body_at(world, p->bodies[k + RECORDS_AHEAD])->w);
+		}
 		t->mass += mass;
 		t->center = cni_madd(t->center, mass, cni_body_a_to_b(first, b));
 		t->moved = cni_madd(t->moved, mass, cni_v(m->dpx, m->dpy));

@@ -100,11 +100,6 @@ typedef struct field {
 	int32_t first;     /* visit of the last area that replaces the earlier ones, or the first visit */
 } field;
 
-static int32_t is_same_area(const visits *v, int32_t k, int32_t before)
-{
-	return k > before && v->keys[k] >> 20 == v->keys[k - 1] >> 20;
-}
-
 /* Damping towards the velocity of the medium. */
 static void damping_add(cni_medium_force *f, const cni_body *b, const cni_motion *m, const cni_area *a, cni_vec2 flow)
 {
@@ -127,8 +122,8 @@ static void field_of_center(field *f, const visits *v, int32_t begin, int32_t en
 	for (k = begin; k < end; ++k) {
 		const cni_area *a = visit_area(v, k);
 		place p;
-		if (is_same_area(v, k, begin))
-			continue;
+		if (k > begin && v->keys[k] >> 20 == v->keys[k - 1] >> 20)
+			continue; /* the same area */
 		p = place_make(v, b, m, a);
 		if (!cni_geometry_contains(p.geometry, p.center))
 			continue;

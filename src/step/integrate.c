@@ -32,11 +32,6 @@ static int32_t body_is_jointed(const cn_world *world, const cni_body *b)
 	return 0;
 }
 
-static uint32_t lock_flags(uint32_t body_flags)
-{
-	return (body_flags & CN_BODY_LOCK_X ? (uint32_t)CNI_EXTERNAL_LOCK_X : 0u) | (body_flags & CN_BODY_LOCK_Y ? (uint32_t)CNI_EXTERNAL_LOCK_Y : 0u);
-}
-
 CNI_INLINE uint32_t external_flags(const cn_world *world, const cni_body *b)
 {
 	uint32_t flags = b->lanes != 0 ? (uint32_t)CNI_EXTERNAL_TOUCHED : 0u;
@@ -49,7 +44,7 @@ CNI_INLINE uint32_t external_flags(const cn_world *world, const cni_body *b)
 	if (b->sleep_time > 0.0f && b->sleep_time >= CNI_SETTLED_DELAYS * world->settings.sleep_delay)
 		flags |= CNI_EXTERNAL_SETTLED;
 	if (b->flags & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y))
-		flags |= lock_flags(b->flags);
+		flags |= (b->flags & CN_BODY_LOCK_X ? (uint32_t)CNI_EXTERNAL_LOCK_X : 0u) | (b->flags & CN_BODY_LOCK_Y ? (uint32_t)CNI_EXTERNAL_LOCK_Y : 0u);
 	return flags;
 }
 

@@ -230,12 +230,6 @@ static void load_take(const projection *p, const point *q)
 	q->row->load[q->l] = cni_clamp(q->row->load[q->l] + change, 0.0f, q->row->jn[q->l]);
 }
 
-static int32_t is_discarded(const projection *p, int32_t island)
-{
-	const still_island *r = &p->islands[island];
-	return r->after > cni_max(r->before, p->world->settings.slop);
-}
-
 static void displacement_clear(const cn_world *world, int32_t index)
 {
 	cni_motion *m = cni_motions(world) + index;
@@ -253,7 +247,7 @@ static void solution_take(const projection *p)
 	}
 	for (k = 0; k < p->count; ++k) {
 		const point *q = &p->points[k];
-		if (!is_discarded(p, q->island)) {
+		if (!(p->islands[q->island].after > cni_max(p->islands[q->island].before, p->world->settings.slop))) {
 			load_take(p, q);
 			continue;
 		}

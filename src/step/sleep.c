@@ -137,11 +137,6 @@ static int32_t island_may_sleep(const cn_world *world, const cni_island *i)
 	return i->losses == 0 && rested(world, i->rest_time);
 }
 
-static int32_t may_sleep(const cn_world *world, const cni_body *b)
-{
-	return b->island == CNI_NONE ? rested(world, b->sleep_time) : island_may_sleep(world, cni_island_at(world, b->island));
-}
-
 static int32_t some_island_may_sleep(const cn_world *world)
 {
 	int32_t k;
@@ -173,7 +168,8 @@ void cni_stage_sleep(cn_world *world)
 	most = cni_max_i(SLEEP_LEAST, before / SLEEP_SHARE);
 	for (k = world->awake_count - 1; k >= 1; k = cni_min_i(k, world->awake_count) - 1) {
 		int32_t body = cni_awake_ids(world)[k];
-		if (may_sleep(world, cni_body_at(world, body)) && !cni_body_put_to_sleep(world, body))
+		const cni_body *b = cni_body_at(world, body);
+		if ((b->island == CNI_NONE ? rested(world, b->sleep_time) : island_may_sleep(world, cni_island_at(world, b->island))) && !cni_body_put_to_sleep(world, body))
 			world->warnings |= CN_WARNING_FRAME_MEMORY;
 		if (before - world->awake_count >= most)
 			return;

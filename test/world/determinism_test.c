@@ -28,7 +28,7 @@ static const golden goldens[] = {
 	{ "small_200", 300, 1, 0x87ecd5330aaa86da },
 	{ "small_50_sleep", 600, 1, 0x71eccb9d1bba6197 },
 	{ "dominoes", 400, 1, 0x1b40e5f4ad59c08c },
-	{ "ragdolls", 480, 1, 0x153db0b301211c13 },
+	{ "ragdolls", 480, 1, 0xbaab99d45dc5fed7 },
 	{ "bridge", 240, 1, 0xfd2ab847542b0645 },
 	{ "car", 400, 1, 0xd12f032a6450beb9 },
 	{ "mixer", 240, 1, 0x12d6eb74fe74d818 },
