@@ -35,6 +35,16 @@ void cni_direct_rotations(const cn_world *world, cni_sparse *sparse, const cni_c
 
 /* Right sides: the missing speeds of the component's rows, with error correction (bias 1) or without, into its nodes' x. */
 void cni_direct_right_sides(cn_world *world, const cni_solve *s, const cni_component *c, int32_t bias);
+/* Adds the impulses of a joint's node, times sign, to the rows from which its levers were read. */
+static inline void cni_node_impulses_add(const cni_node *n, cni_row *rows, const float *x, float sign)
+{
+	int32_t i, last = n->rows - 1;
+	for (i = 0; i < n->rows; ++i) {
+		rows[i].impulse += sign * x[i];
+		if (i < last)
+			rows[last].impulse += sign * n->share[i] * x[i];
+	}
+}
 /* Solves for the impulses and applies them; on failure the joints become soft. */
 void cni_component_solve(cn_world *world, const cni_solve *s, cni_component *c);
 static inline void cni_trust_suspend(cn_world *world, cni_joint_trust *t, int32_t span, int32_t soft)
