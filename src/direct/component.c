@@ -135,18 +135,6 @@ void cni_component_rows_need(cn_world *world, const cni_solve *s, const cni_spar
 			cni_joint_rows_need(world, s, cni_joint_constraints(world) + sparse->nodes[k].owner);
 }
 
-/* May its system be nearly singular? Those of loops, and of light bodies on long arms, which one impulse moves much, between heavy ones. */
-static int32_t is_checked(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
-{
-	float most = 0.0f;
-	int32_t k, i;
-	for (k = c->begin; k < c->end && !c->loops && !c->has_contacts; ++k)
-		for (i = 0; i < sparse->nodes[k].rows; ++i)
-			if (!cni_joint_constraints(world)[sparse->nodes[k].owner].rows[i].angular)
-				most = cni_max(most, sparse->nodes[k].diagonal[i]);
-	return c->loops || most * c->heaviest > CNI_CHECKED_RATIO;
-}
-
 void cni_direct_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c)
 {
 	cni_component_rows_need(world, s, sparse, c);
@@ -157,7 +145,7 @@ void cni_direct_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, c
 		c->width = CNI_NODE_ROWS;
 	cni_geometric_stiffness_begin(world, sparse, c, s->h);
 	cni_direct_system(world, s, sparse, c);
-	c->checked = is_checked(world, sparse, c);
+	c->checked = c->loops || (!c->has_contacts && cni_sparse_is_redundant(sparse, c, CNI_CHECKED_PIVOT));
 }
 
 void cni_direct_system(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c)
