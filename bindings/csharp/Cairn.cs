@@ -689,7 +689,8 @@ namespace Cairn
 		public cn_vec2 anchor_a_m;
 		/// <summary>the same for body b</summary>
 		public cn_vec2 anchor_b_m;
-		/// <summary>of the rigid parts, &gt; 0, to 1e6; CN_DEFAULT (default): as stiff as the substeps permit</summary>
+		/// <summary>of the rigid parts, &gt; 0, to 1e6, of which an eighth of the substeps in a second acts at most, as of
+		/// all springs; CN_DEFAULT (default): as stiff as the substeps permit</summary>
 		public float stiffness_hertz;
 		/// <summary>used with a stiffness_hertz; 0 to 1e6, default 0</summary>
 		public float stiffness_damping_ratio;

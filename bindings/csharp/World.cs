@@ -635,7 +635,8 @@ namespace Cairn
 		public Vec2 AnchorAM;
 		/// <summary>the same for body b</summary>
 		public Vec2 AnchorBM;
-		/// <summary>of the rigid parts, &gt; 0, to 1e6; CN_DEFAULT (default): as stiff as the substeps permit</summary>
+		/// <summary>of the rigid parts, &gt; 0, to 1e6, of which an eighth of the substeps in a second acts at most, as of
+		/// all springs; CN_DEFAULT (default): as stiff as the substeps permit</summary>
 		public float StiffnessHertz;
 		/// <summary>used with a stiffness_hertz; 0 to 1e6, default 0</summary>
 		public float StiffnessDampingRatio;

@@ -767,7 +767,8 @@ type JointBase struct {
 	AnchorAM Vec2
 	// the same for body b
 	AnchorBM Vec2
-	// of the rigid parts, > 0, to 1e6; CN_DEFAULT (default): as stiff as the substeps permit
+	// of the rigid parts, > 0, to 1e6, of which an eighth of the substeps in a second acts at most, as of all
+	// springs; CN_DEFAULT (default): as stiff as the substeps permit
 	StiffnessHertz float32
 	// used with a stiffness_hertz; 0 to 1e6, default 0
 	StiffnessDampingRatio float32

@@ -679,7 +679,8 @@ export interface JointBase {
 	anchor_a_m: Vec2;
 	/** the same for body b */
 	anchor_b_m: Vec2;
-	/** of the rigid parts, > 0, to 1e6; CN_DEFAULT (default): as stiff as the substeps permit */
+	/** of the rigid parts, > 0, to 1e6, of which an eighth of the substeps in a second acts at most, as of all
+	springs; CN_DEFAULT (default): as stiff as the substeps permit */
 	stiffness_hertz: number;
 	/** used with a stiffness_hertz; 0 to 1e6, default 0 */
 	stiffness_damping_ratio: number;

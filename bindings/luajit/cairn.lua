@@ -628,7 +628,7 @@ typedef struct cn_joint_base {
 	cn_body body_b; // 0: the world; one of the two must be dynamic
 	cn_vec2 anchor_a_m; // in body a's local frame, or in world coordinates
 	cn_vec2 anchor_b_m; // the same for body b
-	float stiffness_hertz; // of the rigid parts, > 0, to 1e6; CN_DEFAULT (default): as stiff as the substeps permit
+	float stiffness_hertz; // of the rigid parts, > 0, to 1e6, of which an eighth of the substeps in a second acts at most, as of all springs; CN_DEFAULT (default): as stiff as the substeps permit
 	float stiffness_damping_ratio; // used with a stiffness_hertz; 0 to 1e6, default 0
 	float force_max_N; // greatest force of each: anchor, axis, limit; > 0; CN_DEFAULT (default): unbounded
 	float torque_max_Nm; // greatest torque of angles, > 0; CN_DEFAULT (default): unbounded

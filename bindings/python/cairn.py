@@ -627,7 +627,7 @@ class cn_joint_base(_c.Structure):
         ("body_b", cn_body),  # 0: the world; one of the two must be dynamic
         ("anchor_a_m", cn_vec2),  # in body a's local frame, or in world coordinates
         ("anchor_b_m", cn_vec2),  # the same for body b
-        ("stiffness_hertz", _c.c_float),  # of the rigid parts, > 0, to 1e6; CN_DEFAULT (default): as stiff as the substeps permit
+        ("stiffness_hertz", _c.c_float),  # of the rigid parts, > 0, to 1e6, of which an eighth of the substeps in a second acts at most, as of all springs; CN_DEFAULT (default): as stiff as the substeps permit
         ("stiffness_damping_ratio", _c.c_float),  # used with a stiffness_hertz; 0 to 1e6, default 0
         ("force_max_N", _c.c_float),  # greatest force of each: anchor, axis, limit; > 0; CN_DEFAULT (default): unbounded
         ("torque_max_Nm", _c.c_float),  # greatest torque of angles, > 0; CN_DEFAULT (default): unbounded

@@ -1025,7 +1025,8 @@ pub const cn_joint_base = extern struct {
     anchor_a_m: cn_vec2,
     /// the same for body b
     anchor_b_m: cn_vec2,
-    /// of the rigid parts, > 0, to 1e6; CN_DEFAULT (default): as stiff as the substeps permit
+    /// of the rigid parts, > 0, to 1e6, of which an eighth of the substeps in a second acts at most, as of
+    /// all springs; CN_DEFAULT (default): as stiff as the substeps permit
     stiffness_hertz: f32,
     /// used with a stiffness_hertz; 0 to 1e6, default 0
     stiffness_damping_ratio: f32,

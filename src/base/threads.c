@@ -464,13 +464,6 @@ static int32_t threads_start(cni_team *team)
 	return 1;
 }
 
-static void threads_end(cni_team *team)
-{
-	seats_set(team, CLOSED);
-	while (team->thread_count > 0)
-		thread_end(&team->threads[--team->thread_count]);
-}
-
 /* ---- creation and destruction ---- */
 
 static uint64_t seats_offset(void) { return (sizeof(cni_team) + LINE_BYTES - 1u) / LINE_BYTES * LINE_BYTES; }
@@ -510,7 +503,9 @@ void cni_team_destroy(cni_team *team, cni_memory *memory)
 {
 	if (team == NULL)
 		return;
-	threads_end(team);
+	seats_set(team, CLOSED);
+	while (team->thread_count > 0)
+		thread_end(&team->threads[--team->thread_count]);
 	gate_deinit(&team->gate);
 	cni_memory_free(memory, team, cni_team_bytes(team->worker_count));
 }

@@ -359,12 +359,6 @@ static int32_t island_is_due(const cn_world *world, int32_t island)
 	       i->solver != CN_SOLVER_SOFT && cni_island_is_quiet(world, i) && !cni_island_has_joints(world, island);
 }
 
-static void island_unheld(cn_world *world, int32_t island)
-{
-	cni_island_at(world, island)->unheld_step = world->step_count + 1u;
-	world->piles_unheld = 1;
-}
-
 /* Orders what is due at a body: the body itself, or its island at the island's first body. */
 static void due_find(pile *q, int32_t index, int32_t island)
 {
@@ -386,8 +380,10 @@ static void piles_find(pile *q)
 		int32_t island = cni_awake_island(q->world, k);
 		q->count = 0;
 		due_find(q, k, island);
-		if (q->count > 0 && !pile_preload(q) && island != CNI_NONE)
-			island_unheld(q->world, island);
+		if (q->count > 0 && !pile_preload(q) && island != CNI_NONE) {
+			cni_island_at(q->world, island)->unheld_step = q->world->step_count + 1u;
+			q->world->piles_unheld = 1;
+		}
 	}
 }
 

@@ -34,12 +34,12 @@ static int32_t turns_fast(const cn_world *world, const cni_solve *s, const cni_j
 	return cni_abs(cni_motions(world)[w->ia].w) > most || cni_abs(cni_motions(world)[w->ib].w) > most;
 }
 
-/* 1: solutions of a component with this pin might be checked, if it were none of a batch: is_checked in direct/component.c. */
-static int32_t may_be_checked(const cn_world *world, const cni_component *c, const cni_joint_constraint *w)
+/* 1: the pin is of a light body on a long arm, beside a heavy one: solutions of batches are not checked. */
+static int32_t may_lose_digits(const cn_world *world, const cni_component *c, const cni_joint_constraint *w)
 {
 	const cni_motion *a = cni_motions(world) + w->ia, *b = cni_motions(world) + w->ib;
 	float most = a->inv_mass + a->inv_inertia * cni_length_sq(w->start.ra) + b->inv_mass + b->inv_inertia * cni_length_sq(w->start.rb);
-	return most * c->heaviest > CNI_CHECKED_RATIO;
+	return most * c->heaviest > CNI_BATCH_MASS_RATIO;
 }
 
 int32_t cni_component_is_batched(const cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c, int32_t has_heavy)
@@ -52,7 +52,7 @@ int32_t cni_component_is_batched(const cn_world *world, const cni_solve *s, cni_
 		const cni_joint_constraint *w = &cni_joint_constraints(world)[sparse->nodes[k].owner];
 		if (w->form != CNI_FORM_PIN || motor_is_strong(world, s, w) || !cni_joint_fits_lane(world, s, w))
 			return 0;
-		if (has_heavy && (w->parts != 0 || may_be_checked(world, c, w))) /* towers with springs would open three times as far */
+		if (has_heavy && (w->parts != 0 || may_lose_digits(world, c, w))) /* towers with springs would open three times as far */
 			return 0;
 		parts |= w->parts;
 		fast |= turns_fast(world, s, w);

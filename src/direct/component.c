@@ -81,6 +81,24 @@ void cni_component_suspend(cn_world *world, cni_sparse *sparse, cni_component *c
 	cni_component_release(world, sparse, c);
 }
 
+/*
+ * Adds so much of a joint's angle, its last row, to the others that their speeds do not move it: they then act at the point about which the two
+ * bodies turn. At the anchor of a long slide they would turn the light body by all that the angle takes back, and the mass of what hangs on the
+ * arm would be lost in rounding. The solution is that of the rows as they were, which get its impulses (cni_node_impulses_add).
+ */
+static void angle_decouple(cni_node *n, const cni_motion *a, const cni_motion *b)
+{
+	cni_levers *l = &n->levers;
+	int32_t i, last = n->rows - 1;
+	float ma = l->aw[last] * a->inv_inertia, mb = l->bw[last] * b->inv_inertia, mass = cni_inverse_or_zero(l->aw[last] * ma + l->bw[last] * mb);
+	for (i = 0; i < last; ++i) {
+		n->share[i] = -mass * (l->aw[i] * ma + l->bw[i] * mb);
+		l->aw[i] += n->share[i] * l->aw[last];
+		l->bw[i] += n->share[i] * l->bw[last];
+		n->closing[i] += n->share[i] * n->closing[last];
+	}
+}
+
 /* Reads the joints' levers from their rows, and the speeds that correct their errors at this rate, but no faster than overlaps are pushed
    apart: what a gap's closing gives to light parts they keep. */
 static void levers_read(const cn_world *world, cni_sparse *sparse, const cni_component *c, float rate)
@@ -98,6 +116,8 @@ static void levers_read(const cn_world *world, cni_sparse *sparse, const cni_com
 			most = cni_row_push_speed(world, &rows[i]);
 			n->closing[i] = cni_clamp(rate * rows[i].error, -most, most);
 		}
+		if (rate > 0.0f && n->rows > 1 && rows[n->rows - 1].angular)
+			angle_decouple(n, cni_motions(world) + n->ia, cni_motions(world) + n->ib);
 	}
 }
 
@@ -115,18 +135,6 @@ void cni_component_rows_need(cn_world *world, const cni_solve *s, const cni_spar
 			cni_joint_rows_need(world, s, cni_joint_constraints(world) + sparse->nodes[k].owner);
 }
 
-/* May its system be nearly singular? Those of loops, and of light bodies on long arms, which one impulse moves much, between heavy ones. */
-static int32_t is_checked(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
-{
-	float most = 0.0f;
-	int32_t k, i;
-	for (k = c->begin; k < c->end && !c->loops && !c->has_contacts; ++k)
-		for (i = 0; i < sparse->nodes[k].rows; ++i)
-			if (!cni_joint_constraints(world)[sparse->nodes[k].owner].rows[i].angular)
-				most = cni_max(most, sparse->nodes[k].diagonal[i]);
-	return c->loops || most * c->heaviest > CNI_CHECKED_RATIO;
-}
-
 void cni_direct_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c)
 {
 	cni_component_rows_need(world, s, sparse, c);
@@ -137,7 +145,7 @@ void cni_direct_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, c
 		c->width = CNI_NODE_ROWS;
 	cni_geometric_stiffness_begin(world, sparse, c, s->h);
 	cni_direct_system(world, s, sparse, c);
-	c->checked = is_checked(world, sparse, c);
+	c->checked = c->loops || (!c->has_contacts && cni_sparse_is_redundant(sparse, c, CNI_CHECKED_PIVOT));
 }
 
 void cni_direct_system(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c)
@@ -163,13 +171,12 @@ static void solution_push(cn_world *world, const cni_sparse *sparse, const cni_c
 	cni_joint_constraint *constraints = cni_joint_constraints(world);
 	const cni_node *nodes = sparse->nodes;
 	const int32_t end = c->end, width = c->width;
-	int32_t k, i;
+	int32_t k;
 	for (k = c->begin; k < end; ++k) {
 		const cni_node *n = &nodes[k];
 		if (n->owner < 0)
 			continue;
-		for (i = 0; i < n->rows; ++i)
-			constraints[n->owner].rows[i].impulse += n->x[i];
+		cni_node_impulses_add(n, constraints[n->owner].rows, n->x, 1.0f);
 		cni_levers_push(&n->levers, n->x, motions + n->ia, motions + n->ib, width);
 	}
 }
@@ -185,17 +192,22 @@ static void leaks_add(const cn_world *world, cni_sparse *sparse, const cni_compo
 	int32_t k, i;
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
-		for (i = 0; i < n->rows && n->owner >= 0; ++i)
-			n->x[i] -= CNI_DIRECT_LEAK * n->diagonal[i] * constraints[n->owner].rows[i].impulse;
+		for (i = 0; i < n->rows && n->owner >= 0; ++i) {
+			const cni_row *rows = constraints[n->owner].rows;
+			float impulse = rows[i].impulse;
+			if (i > 0 && i == n->rows - 1)
+				impulse -= n->share[0] * rows[0].impulse + n->share[1] * rows[1].impulse;
+			n->x[i] -= CNI_DIRECT_LEAK * n->diagonal[i] * impulse;
+		}
 	}
 }
 
 static void impulses_undo(cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
-	int32_t k, i;
+	int32_t k;
 	for (k = c->begin; k < c->end; ++k)
-		for (i = 0; i < sparse->nodes[k].rows && sparse->nodes[k].owner >= 0; ++i)
-			cni_joint_constraints(world)[sparse->nodes[k].owner].rows[i].impulse -= sparse->nodes[k].x[i];
+		if (sparse->nodes[k].owner >= 0)
+			cni_node_impulses_add(&sparse->nodes[k], cni_joint_constraints(world)[sparse->nodes[k].owner].rows, sparse->nodes[k].x, -1.0f);
 }
 
 static void sides_save(cni_sparse *sparse, const cni_component *c, int32_t restore)

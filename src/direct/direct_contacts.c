@@ -18,11 +18,11 @@
 static void commit(const cni_direct_contact_pass *q)
 {
 	cni_direct_contact *p;
-	int32_t k, i;
+	int32_t k;
 	for (k = q->c->begin; k < q->c->end; ++k) {
 		const cni_node *n = &q->sparse->nodes[k];
-		for (i = 0; n->owner >= 0 && i < n->rows; ++i)
-			cni_joint_constraints(q->world)[n->owner].rows[i].impulse += n->total[i];
+		if (n->owner >= 0)
+			cni_node_impulses_add(n, cni_joint_constraints(q->world)[n->owner].rows, n->total, 1.0f);
 	}
 	for (p = q->first; p < q->end; ++p) {
 		p->j[0] = cni_max(p->j[0], 0.0f);

@@ -49,13 +49,13 @@ static int32_t may_be_straight(const cn_world *world, const cni_sparse *sparse, 
 	return 1;
 }
 
-/* How far the two points of a pin, or the ends of a rod or a rope, are from where they belong. */
+/* How far the two points of a pin, the ends of a rod or a rope, or a point beside its slide are from where they belong. */
 static float gap_of(const cni_joint_constraint *w)
 {
 	switch (w->record->type) {
 	case CN_JOINT_REVOLUTE: case CN_JOINT_FIXED: return cni_length(w->start.d);
 	case CN_JOINT_DISTANCE: return cni_joint_is_rope(w->record) ? cni_max(cni_length(w->start.d) - w->record->p[CNI_P_UPPER], 0.0f) : cni_abs(cni_length(w->start.d) - w->record->p[CNI_P_LENGTH]);
-	default: return 0.0f;
+	default: return w->rigid_count > 0 && !w->rows[0].angular ? cni_abs(w->rows[0].error) : 0.0f;
 	}
 }
 
@@ -77,7 +77,7 @@ static int32_t is_open(const cn_world *world, const cni_solve *s, const cni_spar
 static int32_t was_soft(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
 	const cni_joint_trust *t = &cni_joint_constraints(world)[sparse->nodes[c->begin].owner].record->trust;
-	return t->span > 0 && t->soft && t->until == world->step_count;
+	return world->joints_soft_step >= world->step_count && t->span > 0 && t->soft && t->until == world->step_count;
 }
 
 /*
@@ -216,15 +216,14 @@ static void masses_find(const cn_world *world, const cni_sparse *sparse, cni_com
 	c->mass_ratio = most / least;
 }
 
-/* A light body between far heavier ones: beside the rows that move it, what the heavy ones bear through it is lost in rounding, as a pin
-   whose pivot cancels, or as a kick. Soft joints then open, and stay soft until they are closed. */
+/* A light body between far heavier ones, or on long arms: beside the rows that move it, what the others bear through it is lost in rounding, as
+   a pin whose pivot cancels, or as a kick. Soft joints then open, and stay soft until they are closed. */
 static int32_t is_ill_scaled(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c)
 {
-	if (c->has_contacts || c->mass_ratio < CNI_ILL_MASS_RATIO)
+	int32_t opened = !c->has_contacts && was_soft(world, sparse, c) && is_open(world, s, sparse, c);
+	if (c->has_contacts || (!opened && c->mass_ratio < CNI_ILL_MASS_RATIO))
 		return 0;
-	if (was_soft(world, sparse, c) && is_open(world, s, sparse, c))
-		return 1;
-	return is_redundant(world, s, sparse, c, CNI_ILL_PIVOT);
+	return is_redundant(world, s, sparse, c, opened ? CNI_CHECKED_PIVOT : CNI_ILL_PIVOT);
 }
 
 /* RATTLE, or the passes of a substep where joints to fixed bodies say nearly the same, as those of coupled wheels on fixed axles, or of a

@@ -223,13 +223,6 @@ static void contacts_read(const cn_world *world, const int32_t *contacts, cni_sp
 	c->contact_end = out->contact_count;
 }
 
-/* Most work of a substep, for one factorization. */
-static int64_t budget_of(const cn_world *world)
-{
-	int32_t budget = world->settings.work_budget;
-	return budget == 0 || world->settings.solver == CN_SOLVER_DIRECT ? INT64_MAX : budget / world->settings.substeps;
-}
-
 /* Most contacts that are collected. */
 static int32_t contacts_most(const cn_world *world)
 {
@@ -243,7 +236,9 @@ static int32_t contacts_most(const cn_world *world)
 static int32_t links_plan(cn_world *world, const cni_link *links, int32_t count, int32_t again, cni_sparse *out, uint8_t *planned)
 {
 	cni_array *kept = &world->direct_plans[again && !world->memory.fixed];
-	cni_system system = { links, count, world->awake_count, cni_motions(world), budget_of(world) };
+	int32_t budget = world->settings.work_budget; /* of a substep, for one factorization */
+	int64_t most = budget == 0 || world->settings.solver == CN_SOLVER_DIRECT ? INT64_MAX : budget / world->settings.substeps;
+	cni_system system = { links, count, world->awake_count, cni_motions(world), most };
 	return cni_sparse_plan(&world->arena, kept, &system, out, planned);
 }
 

@@ -85,9 +85,10 @@ static void joint_drift(const cn_world *world, const cni_solve *s, cni_node *n)
 	int32_t i;
 	cni_joint_constraint_ahead(w, motions, s->h, ahead);
 	cni_four_store(now, cni_levers_speed(&n->levers, motions + n->ia, motions + n->ib));
-	for (i = 0; i < n->rows; ++i) {
-		float speed = (ahead[i] - w->rows[i].error) * s->inv_h - now[i], most = cni_row_push_speed(world, &w->rows[i]);
-		n->x[i] -= cni_clamp(speed, -most, most);
+	for (i = n->rows - 1; i >= 0; --i) {
+		float most = cni_row_push_speed(world, &w->rows[i]);
+		ahead[i] = (ahead[i] - w->rows[i].error) * s->inv_h;
+		n->x[i] -= cni_clamp(ahead[i] + (i < n->rows - 1 ? n->share[i] * ahead[n->rows - 1] : 0.0f) - now[i], -most, most);
 	}
 }
 

@@ -139,7 +139,7 @@ static void spring_fill(cni_lane_spring *g, const cni_solve *s, const cni_joint_
 	int32_t at = j->type == CN_JOINT_DISTANCE ? (int32_t)CNI_P_DISTANCE_HERTZ : (int32_t)CNI_P_HERTZ;
 	cni_soft soft = s->joint;
 	if (!(w->parts & CNI_PART_HELD))
-		soft = j->type == CN_JOINT_FIXED ? cni_soft_implicit(j->p[at], j->p[at + 1], s->h) : spring_soft(g, j->p[at], j->p[at + 1], s->h);
+		soft = j->type == CN_JOINT_FIXED ? cni_soft_row(j->p[at], j->p[at + 1], s->h) : spring_soft(g, j->p[at], j->p[at + 1], s->h);
 	else if (!(block->held >> l & 1u)) /* false when a lane is filled again, which other workers may do in the same block */
 		block->held |= 1u << l;
 	block->rest[l] = j->type == CN_JOINT_DISTANCE ? j->p[CNI_P_LENGTH] : j->type == CN_JOINT_FIXED ? 0.0f : j->p[CNI_P_TARGET];

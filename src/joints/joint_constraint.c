@@ -204,12 +204,12 @@ static void constraint_soften(cni_joint_constraint *w, const cni_joint *j, const
 	if (cni_joint_type_of(j->type)->uses & CNI_USES_DRIVE)
 		w->numbers->soft = cni_soft_exact(w->rows[0].hertz, w->rows[0].damping_ratio, s->h);
 	else if (j->stiffness_hertz > 0.0f)
-		w->numbers->soft = cni_soft_implicit(j->stiffness_hertz, j->stiffness_damping, s->h);
+		w->numbers->soft = cni_soft_row(j->stiffness_hertz, j->stiffness_damping, s->h);
 	for (r = w->rigid_count; r < w->row_count; ++r) {
 		if (w->rows[r].kind == CNI_ROW_SPRING)
 			w->numbers->spring = cni_soft_exact(w->rows[r].hertz, w->rows[r].damping_ratio, s->h);
 		else if (w->rows[r].kind == CNI_ROW_SOFT)
-			w->numbers->spring = cni_soft_implicit(w->rows[r].hertz, w->rows[r].damping_ratio, s->h);
+			w->numbers->spring = cni_soft_row(w->rows[r].hertz, w->rows[r].damping_ratio, s->h);
 	}
 }
 

@@ -33,6 +33,7 @@ typedef struct cni_node {
 	int32_t rows;                      /* 1 to 3; a rope has none but a third one: direct/active_rows.c */
 	uint32_t active;                   /* of a contact: bits of the rows whose levers are set; of a joint: direct/active_rows.c */
 	cni_levers levers;
+	float share[2];                    /* of the angle, the last row, in each row before it: direct/component.c */
 	float compliance[CNI_NODE_ROWS];   /* added to the diagonal */
 	float cross;                       /* ... and to the element between the first two rows */
 	float diagonal[CNI_NODE_ROWS];     /* of the present system */

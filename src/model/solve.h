@@ -96,6 +96,8 @@ typedef struct cni_solve {
 
 /* Implicit-Euler soft constraint (Catto, "Soft Constraints", GDC 2011). */
 cni_soft cni_soft_implicit(float hertz, float damping_ratio, float h);
+/* The same for a spring or a joint with a stiffness: at most 0.125 / h. */
+cni_soft cni_soft_row(float hertz, float damping_ratio, float h);
 /* Speed with which a soft row closes an error of 1; 0 in the relax pass, where it closes none. */
 static inline float cni_soft_error_rate(const cni_soft *soft, int32_t bias)
 {

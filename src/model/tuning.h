@@ -198,9 +198,11 @@ CNI_TUNING_FLOAT(CNI_LIMIT_FORCED, 0.01f)
 CNI_TUNING_FLOAT(CNI_ROPE_CLOSING_WEIGHTS, 10.0f)
 CNI_TUNING_FLOAT(CNI_ROPE_CLOSING_PART, 0.1f)
 CNI_TUNING_FLOAT(CNI_ROPE_CLOSING_LEAST, 0.1f)
-/* Inverse effective mass of a row times the greatest mass of a body from which the solutions of a tree are checked: four times the ratio of masses
-   of a rope of bars, more where arms are longer than bodies. */
-CNI_TUNING_FLOAT(CNI_CHECKED_RATIO, 2e4f)
+/* Part of a diagonal below which a pivot has the solutions of a tree checked: light bodies between heavy ones, or on arms longer than they. What of such
+   a tree has opened while it was soft stays soft until it is closed. */
+CNI_TUNING_FLOAT(CNI_CHECKED_PIVOT, 1e-3f)
+/* Inverse effective mass of a pin times the greatest mass of a body of its tree up to which a tree with heavy contacts stays in its batch. */
+CNI_TUNING_FLOAT(CNI_BATCH_MASS_RATIO, 2e4f)
 /* Changes of the active set of joint rows in a pass. */
 CNI_TUNING_COUNT(CNI_JOINT_SET_ROUNDS, 3)
 /* Length units or radians. A limit that is nearer may be reached. */

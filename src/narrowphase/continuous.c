@@ -380,19 +380,13 @@ static void motion_slide(cni_motion *m, const clamp *c)
 	m->dpy += out * n.y;
 }
 
-static int32_t may_slide(const clamp *c)
-{
-	return c->fraction < 1.0f && c->blocking_body == 0 && cni_length_sq(c->normal) > 0.0f &&
-	       !(c->body->flags & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y));
-}
-
 /* Shortens the body's motion. A body that a static shape stops slides, at most once. In a corner, or with a locked axis, it stays. */
 static void clamp_body(cn_world *world, int32_t body, int32_t targets, int32_t by_contacts)
 {
 	cni_motion *m = cni_motions(world) + cni_body_at(world, body)->awake;
 	clamp c;
 	clamp_find(&c, world, body, targets, by_contacts);
-	if (may_slide(&c)) {
+	if (c.fraction < 1.0f && c.blocking_body == 0 && cni_length_sq(c.normal) > 0.0f && !(c.body->flags & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y))) {
 		motion_slide(m, &c);
 		clamp_find(&c, world, body, targets, 0);
 	}

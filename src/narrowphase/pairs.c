@@ -65,13 +65,6 @@ static void marks_clear(const cn_world *world)
 
 /* ---- crowds ---- */
 
-static void crowd_touch(cn_world *world, int32_t proxy)
-{
-	cni_proxy_at(world, proxy)->flags &= ~(uint32_t)CNI_PROXY_CROWDED;
-	cni_body_at(world, cni_shape_at(world, cni_proxy_at(world, proxy)->shape)->body)->flags |= CNI_BODY_AGAIN;
-	world->broadphase_ops->touch(world->broadphase, proxy);
-}
-
 /* Gives the proxies whose turn it is another search, and keeps all that miss a pair awake. Returns CNI_PAIRS_MARKED, as contacts of the
    touched ones are found again, and CNI_PAIRS_CROWDED while others wait. */
 static int32_t crowd_turn(cn_world *world)
@@ -85,7 +78,9 @@ static int32_t crowd_turn(cn_world *world)
 			found |= CNI_PAIRS_CROWDED;
 			continue;
 		}
-		crowd_touch(world, id);
+		cni_proxy_at(world, id)->flags &= ~(uint32_t)CNI_PROXY_CROWDED;
+		cni_body_at(world, cni_shape_at(world, cni_proxy_at(world, id)->shape)->body)->flags |= CNI_BODY_AGAIN;
+		world->broadphase_ops->touch(world->broadphase, id);
 		found |= CNI_PAIRS_MARKED;
 	}
 	return found;

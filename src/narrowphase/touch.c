@@ -119,12 +119,6 @@ static cni_path path_ahead(const cni_body *b, cni_vec2 from, const cni_motion *m
 	return cni_body_path(b, from, cni_mul(dt, cni_v(m->vx, m->vy)), dt * m->w);
 }
 
-/* Hidden corners, or a loop: most have none. */
-static inline int32_t may_have_seams(const cni_manifold_input *in)
-{
-	return CNI_ON(SEAMS) && (in->a->seams | in->b->seams) != 0;
-}
-
 /* A shape deeper than the contact margin behind a surface does not lie on it. */
 static void mend_seams(const cn_world *world, const cni_manifold_input *in, cni_vec2 way, cni_manifold *m)
 {
@@ -236,7 +230,7 @@ void cni_touch_finish(const cn_world *world, float dt, cni_touch *out)
 	cni_vec2 b_center;
 	if (out->result.manifold.count == 0)
 		return; /* in may be empty */
-	if (may_have_seams(&out->in) && !(out->contact->flags & CNI_CONTACT_SENSOR))
+	if (CNI_ON(SEAMS) && (out->in.a->seams | out->in.b->seams) != 0 && !(out->contact->flags & CNI_CONTACT_SENSOR))
 		mend_seams(world, &out->in, cni_mul(dt, m->v), &out->result.manifold);
 	if (out->result.manifold.count == 0)
 		return;

@@ -178,19 +178,14 @@ static void name_read(cn_world *world, cni_file *f)
 	cni_file_need(f, named == CN_OK, named);
 }
 
-static void names_read(cn_world *world, cni_file *f)
-{
-	(void)cni_file_chunk_begin(f, "NAME", 1);
-	while (cni_file_left(f) > 0)
-		name_read(world, f);
-}
-
 void cni_file_pieces(cn_world *world, cni_file *f)
 {
 	geometries_pass(world, f);
 	if (f->mode == CNI_FILE_READ) {
 		material_ids_read(world, f);
-		names_read(world, f);
+		(void)cni_file_chunk_begin(f, "NAME", 1);
+		while (cni_file_left(f) > 0)
+			name_read(world, f);
 	} else {
 		material_ids_write(world, f);
 		names_write(world, f);

@@ -54,13 +54,6 @@ void cni_text_int(cni_text *text, int64_t value)
 	text_digits(text, value < 0 ? (uint64_t)0 - (uint64_t)value : (uint64_t)value, 10);
 }
 
-/* As 0x and digits: flags and handles. */
-static void text_hex(cni_text *text, uint32_t value)
-{
-	cni_text_string(text, "0x");
-	text_digits(text, value, 16);
-}
-
 /* Six decimal digits d and the exponent x of a finite float > 0, given as its bits: value = d * 10^x, rounded. */
 static uint32_t float_digits(uint32_t bits, int32_t *out_exponent)
 {
@@ -173,7 +166,7 @@ static void refuse_in_words(cni_call *call, cn_result result, const char *format
 		case 's': cni_text_string(&text, va_arg(values, const char *)); break;
 		case 'f': cni_text_float(&text, cni_float_of(va_arg(values, uint32_t))); break;
 		case 'i': cni_text_int(&text, va_arg(values, int64_t)); break;
-		case 'x': text_hex(&text, va_arg(values, uint32_t)); break;
+		case 'x': cni_text_string(&text, "0x"), text_digits(&text, va_arg(values, uint32_t), 16); break; /* flags and handles */
 		default: text_char(&text, *format); break;
 		}
 	}

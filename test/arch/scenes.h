@@ -20,12 +20,12 @@ typedef struct arch_scene {
 static const arch_scene arch_scenes[ARCH_SCENES] = {
 	{ "shapes", scene_shapes, 0x4cbfae011f1d3379 },
 	{ "joints", scene_joints, 0x45cdb63a32b55480 },
-	{ "direct", scene_direct, 0x79e29a69ffecbc15 },
+	{ "direct", scene_direct, 0xa13d8f430afde313 },
 	{ "tiers", scene_tiers, 0xdc8817d2f69e3126 },
 	{ "sequential", scene_sequential, 0x6bc77927e99d3264 },
 	{ "queries", scene_queries, 0xb79cb4644a093b1c },
-	{ "events", scene_events, 0xfd53d796fbf5ed20 },
-	{ "file", scene_file, 0xdc6ee3e78651a7ee },
+	{ "events", scene_events, 0x7ca261c9e70e84b8 },
+	{ "file", scene_file, 0x3b3723ed80038d08 },
 };
 
 /* The number of a scene; 0 if a call failed: arch_failed_line. */

@@ -405,10 +405,47 @@ static void light_discs_on_long_arms_are_not_thrown(void)
 	int32_t seed, thrown = 0;
 	for (seed = 1; seed <= 200; ++seed)
 		thrown += light_discs_on_long_arms((uint32_t)seed * 7919u, CN_SOLVER_AUTO) > 100.0;
-	CHECK_LE("rows that are thrown", (double)thrown, 12.0, "of 200");
+	CHECK_LE("rows that are thrown", (double)thrown, 2.0, "of 200");
 }
 
 /* Joins two bodies as they are now, so that each joint contradicts the others a little. */
+/* Five boxes on a floor, joined by slides along their row, part at different speeds until they are up to 24 m apart; a motor holds the first. Returns
+   the greatest speed of one within 12 s, in which a body that falls reaches 120 m/s. */
+static double slides_part(uint32_t seed, int32_t solver)
+{
+	scene s = scene_open(-10.0, 0, solver);
+	double fastest = 0.0;
+	int32_t k, step;
+	fixture_box(s.world, CN_BODY_STATIC, 0.0f, -1.0f, 0.0f, 200.0f, 1.0f, 0.5f, 0.0f);
+	for (k = 0; k < 5; ++k) {
+		cn_prismatic_def def;
+		float half = fixture_random(&seed, 0.1f, 0.3f);
+		s.bodies[k] = fixture_box(s.world, CN_BODY_DYNAMIC, 0.8f * (float)k, 0.301f, 0.0f, fixture_random(&seed, 0.1f, 0.3f), half, 0.0f, 0.0f);
+		cn_prismatic_def_init(&def);
+		connect(&def.base, k > 0 ? s.bodies[k - 1] : 0, at(k > 0 ? 0.4f : -0.4f, k > 0 ? 0.0f : 0.3f), s.bodies[k], at(-0.4f, 0.0f));
+		def.base.flags = k > 0 ? 0u : CN_JOINT_MOTOR;
+		def.motor_force_max_N = 1e4f;
+		s.joints[s.joint_count++] = make_prismatic(s.world, &def);
+		if (k > 0)
+			fixture_set_velocity(s.world, s.bodies[k], fixture_random(&seed, 0.3f, 0.5f) * (float)k, 0.0f, 0.0f);
+	}
+	for (step = 0; step < 720; ++step) {
+		fixture_step(s.world, 1);
+		fastest = fmax(fastest, fastest_of(&s, s.bodies, 5));
+	}
+	scene_close(&s);
+	return fastest;
+}
+
+static void slides_that_part_are_not_thrown(void)
+{
+	double fastest = 0.0;
+	int32_t seed;
+	for (seed = 1; seed <= 100; ++seed)
+		fastest = fmax(fastest, slides_part((uint32_t)seed * 7919u, CN_SOLVER_AUTO));
+	CHECK_LE("fastest box", fastest, 110.0, "m/s");
+}
+
 static void join_here(scene *s, cn_body a, cn_body b, int32_t pins)
 {
 	cn_pose pa = fixture_pose(s->world, a), pb = fixture_pose(s->world, b);
@@ -469,6 +506,7 @@ int main(void)
 	RUN(open_loops_close_calmly_when_they_lose_a_wall);
 	RUN(light_bodies_between_heavy_ones_are_not_thrown);
 	RUN(light_discs_on_long_arms_are_not_thrown);
+	RUN(slides_that_part_are_not_thrown);
 	RUN(too_many_joints_stay_closed);
 	RUN(straight_bridges_rest);
 	RUN(welded_arches_bear_themselves);
