@@ -42,7 +42,7 @@ static inline void cni_node_impulses_add(const cni_node *n, cni_row *rows, const
 	for (i = 0; i < n->rows; ++i)
 		rows[i].impulse += sign * x[i];
 	if (n->share[0] != 0.0f || n->share[1] != 0.0f)
-		rows[n->rows - 1].impulse += sign * (n->share[0] * x[0] + n->share[1] * x[1] * (float)(n->rows > 2));
+		rows[n->rows - 1].impulse += sign * (n->share[0] * x[0] + n->share[1] * x[1]);
 }
 /* Solves for the impulses and applies them; on failure the joints become soft. */
 void cni_component_solve(cn_world *world, const cni_solve *s, cni_component *c);
