@@ -46,6 +46,12 @@ int32_t cni_component_held(const cn_world *world, const cni_sparse *sparse, cons
 	return count;
 }
 
+int32_t cni_component_is_braced(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	int32_t bodies = c->body_end - c->body_begin;
+	return bodies <= CNI_LOOP_BODIES * (c->end - c->begin - bodies) && cni_component_held(world, sparse, c) > 1;
+}
+
 void cni_component_release(cn_world *world, cni_sparse *sparse, cni_component *c)
 {
 	int32_t k;

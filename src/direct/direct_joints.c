@@ -5,7 +5,7 @@
  * Joints outside of the components, and springs, motors and limits, are solved row by row in joints/joint_solve.c before. Contacts come
  * after. Where joints and contacts disagree, they alternate more than once: direct/joint_projection.c.
  *
- * Loops of pins and rods that touch something are left to the soft solver, unless one of their joints asks for CN_SOLVER_DIRECT.
+ * Long loops of pins and rods that touch something are left to the soft solver, unless one of their joints asks for CN_SOLVER_DIRECT.
  *
  * Reads joint constraints, motion and inverse masses; writes flags and rigid rows' impulses of joint constraints, motion velocities.
  */
@@ -81,13 +81,13 @@ static int32_t was_soft(const cn_world *world, const cni_sparse *sparse, const c
 }
 
 /*
- * A loop of pins or rods between fixed bodies, such as a bridge between two walls, may be so straight that no force can hold it: rigid
+ * A long row of pins or rods between fixed bodies, such as a bridge between two walls, may be so straight that no force can hold it: rigid
  * joints explode there when contacts load it, or when they are to close what soft ones have opened (RATTLE finds that no motion does). Trees
- * have no such configurations, nor have loops with gears. A loop of moving bodies alone, such as a scissor lift, stays exact unless it was
- * soft and is still open, or most of its bodies touch something, more than contacts can know its joints (direct/heavy_contacts.c): the links
- * of a caterpillar track would be pressed into wheels. Contacts come and go: a loop that closed its joints whenever a body on it bounces
- * would throw the body. So the loop stays soft for the longest span of a trust: of 80 seeds of the family `bridge` 8 are worse than soft
- * constraints with 32 steps, 3 with 128, 2 with 256.
+ * have no such configurations, nor have loops with gears. A loop of few bodies stays exact (CNI_LOOP_BODIES), and so does a loop of moving bodies
+ * alone, such as a scissor lift, unless it was soft and is still open, or most of its bodies touch something, more than contacts can know its
+ * joints (direct/heavy_contacts.c): the links of a caterpillar track would be pressed into wheels. Contacts come and go: a loop that closed its
+ * joints whenever a body on it bounces would throw the body. So the loop stays soft for the longest span of a trust: of 80 seeds of the family
+ * `bridge`, when all bridges were soft, 8 were worse than soft constraints with 32 steps, 3 with 128, 2 with 256.
  */
 static int32_t loop_is_better_soft(const cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c)
 {
@@ -101,7 +101,9 @@ static int32_t loop_is_better_soft(const cn_world *world, const cni_solve *s, co
 	fixed = cni_component_held(world, sparse, c);
 	if (!may_be_straight(world, sparse, c, fixed))
 		return 0;
-	return opened || fixed > 1 || (2 * touched > bodies && touched > cni_heavy_contacts_most(sparse, c));
+	if (fixed > 1)
+		return opened || !cni_component_is_braced(world, sparse, c);
+	return opened || (2 * touched > bodies && touched > cni_heavy_contacts_most(sparse, c));
 }
 
 /* Contacts between two of its bodies are scaled twice. */
@@ -253,6 +255,8 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 	s->direct = out;
 	for (k = 0; k < out->component_count; ++k) {
 		cni_component *c = &out->components[k];
+		if (c->done)
+			continue;
 		if (far && k + 1 < out->component_count)
 			cni_component_prefetch(world, out, k + 1);
 		c->regular = c->has_contacts ? CNI_REGULARIZATION_CONTACTS : c->loops ? CNI_REGULARIZATION_LOOPS : 0.0f;

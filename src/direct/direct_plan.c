@@ -23,13 +23,14 @@ static int32_t contact_work(int32_t solver)
 	return solver == CN_SOLVER_DIRECT ? 2000 : CNI_DIRECT_CONTACT_WORK;
 }
 
-/* Most work of a system, a joint of it: trees take 3 to 6. */
+/* Most work of a system, a joint of it: trees take 3 to 6, trusses 8 to 22, nets the more the larger they are. */
 #define JOINT_WORK 16
+#define JOINT_WORK_BRACED 24
 #define JOINT_WORK_DIRECT 4000
 
 static int32_t joint_work(int32_t solver)
 {
-	return solver == CN_SOLVER_DIRECT ? JOINT_WORK_DIRECT : JOINT_WORK;
+	return solver == CN_SOLVER_DIRECT ? JOINT_WORK_DIRECT : JOINT_WORK_BRACED;
 }
 
 static int32_t contacts_taken(int32_t solver, int32_t contacts)
@@ -207,6 +208,21 @@ static void joints_mark(cn_world *world, const cni_link *links, int32_t count, c
 	}
 }
 
+/* A mechanism with so many loops that exact joints cost more than they are worth: the feet of walkers press what is under them. */
+static int32_t is_costly(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	return c->loops && !c->has_contacts && c->work > JOINT_WORK * (c->end - c->begin) + 64 && world->settings.solver == CN_SOLVER_AUTO &&
+	       !joint_has_full_work(world, cni_joint_constraints(world) + sparse->nodes[c->begin].owner) && !cni_component_is_braced(world, sparse, c);
+}
+
+static void costly_release(cn_world *world, cni_sparse *sparse, cni_component *c)
+{
+	int32_t k;
+	for (k = c->begin; k < c->end; ++k)
+		impulses_forget(world, cni_joint_constraints(world) + sparse->nodes[k].owner);
+	cni_component_release(world, sparse, c);
+}
+
 /* Reads the contacts of a component's nodes in their order, and renumbers them. */
 static void contacts_read(const cn_world *world, const int32_t *contacts, cni_sparse *out, cni_component *c)
 {
@@ -296,6 +312,8 @@ int32_t cni_direct_plan(cn_world *world, cni_sparse *out)
 		cni_component *c = &out->components[k];
 		c->has_contacts = c->joints < c->end - c->begin;
 		contacts_read(world, contacts, out, c);
+		if (is_costly(world, out, c))
+			costly_release(world, out, c);
 	}
 	return 1;
 }

@@ -18,6 +18,8 @@ void cni_direct_refresh(cn_world *world, cni_sparse *sparse, const cni_component
 int32_t cni_component_touched(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
 /* Number of its joints that end at a body without mass. */
 int32_t cni_component_held(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
+/* 1: fixed bodies hold it at more than one joint, and its loops have few bodies each: a short bridge, a truss. For components without contacts. */
+int32_t cni_component_is_braced(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
 /* Returns the joints of the component to the soft solver for this step. */
 void cni_component_release(cn_world *world, cni_sparse *sparse, cni_component *c);
 /* ... and for `span` steps; 0: for a span that doubles with each failure. */

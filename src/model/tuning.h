@@ -186,6 +186,9 @@ CNI_TUNING_FLOAT(CNI_JOINT_TORN, 0.25f)
 /* Length units a second squared, times the square of a substep, as what soft joints leave open: 2 mm at 240 substeps a second. A loop, or an ill
    scaled tree, that was soft stays so while a joint is open by more: of a straight bridge, closing many small gaps takes away all of its sag. */
 CNI_TUNING_FLOAT(CNI_LOOP_OPEN, 115.0f)
+/* Most bodies a loop between fixed ones that stay exact under contacts. Exact straight rows are thrown from about 60 planks on: what sags by a hair
+   bears any load, and rounding grows with their length. */
+CNI_TUNING_COUNT(CNI_LOOP_BODIES, 32)
 /* Greatest mass over least of joined bodies from which a pivot is checked, and the part of its diagonal below which rounding has eaten it: rows of
    heavy and light bodies in turn are exact up to 1:1e5. Contacts of such bodies know no joints: what one does to the lightest is rounding. */
 CNI_TUNING_FLOAT(CNI_ILL_MASS_RATIO, 1e4f)

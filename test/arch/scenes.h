@@ -21,7 +21,7 @@ static const arch_scene arch_scenes[ARCH_SCENES] = {
 	{ "shapes", scene_shapes, 0x4cbfae011f1d3379 },
 	{ "joints", scene_joints, 0x45cdb63a32b55480 },
 	{ "direct", scene_direct, 0xa13d8f430afde313 },
-	{ "tiers", scene_tiers, 0xdc8817d2f69e3126 },
+	{ "tiers", scene_tiers, 0x7cea209b72622e28 },
 	{ "sequential", scene_sequential, 0x6bc77927e99d3264 },
 	{ "queries", scene_queries, 0xb79cb4644a093b1c },
 	{ "events", scene_events, 0x7ca261c9e70e84b8 },

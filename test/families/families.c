@@ -156,6 +156,7 @@ static const struct family_table {
 	{ heap_families, &heap_family_count },
 	{ workshop_families, &workshop_family_count },
 	{ compound_families, &compound_family_count },
+	{ playground_families, &playground_family_count },
 };
 
 static int is_asked_for(const settings *set, const family *which)

@@ -188,8 +188,8 @@ double cpu_clock_s(void);
 
 /* ---- generators ---- */
 
-extern const family cloth_families[], mechanism_families[], machine_families[], rope_families[], figure_families[], vehicle_families[], structure_families[], heap_families[], workshop_families[], compound_families[];
-extern const int32_t cloth_family_count, mechanism_family_count, machine_family_count, rope_family_count, figure_family_count, vehicle_family_count, structure_family_count, heap_family_count, workshop_family_count, compound_family_count;
+extern const family cloth_families[], mechanism_families[], machine_families[], rope_families[], figure_families[], vehicle_families[], structure_families[], heap_families[], workshop_families[], compound_families[], playground_families[];
+extern const int32_t cloth_family_count, mechanism_family_count, machine_family_count, rope_family_count, figure_family_count, vehicle_family_count, structure_family_count, heap_family_count, workshop_family_count, compound_family_count, playground_family_count;
 #define FAMILY_COUNT(table) ((int32_t)(sizeof(table) / sizeof *(table)))
 
 #endif
