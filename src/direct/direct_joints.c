@@ -233,7 +233,8 @@ static int32_t is_ill_scaled(cn_world *world, const cni_solve *s, cni_sparse *sp
    freely turns at rest in itself, and stays with RATTLE. */
 static void rattle_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c)
 {
-	if (c->loops && cni_component_held(world, sparse, c) > 0 && is_redundant(world, s, sparse, c, CNI_RATTLE_REDUNDANT))
+	float part = CNI_RATTLE_REDUNDANT * (cni_component_is_braced(world, sparse, c) ? CNI_RATTLE_BRACED : 1.0f);
+	if (c->loops && cni_component_held(world, sparse, c) > 0 && is_redundant(world, s, sparse, c, part))
 		c->uses_rattle = 0;
 	else
 		cni_sparse_clear(sparse, c);
