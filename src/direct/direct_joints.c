@@ -22,11 +22,8 @@ static int32_t work_planned(const cn_world *world, const cni_sparse *sparse)
 {
 	int64_t work = 0;
 	int32_t k;
-	for (k = 0; k < sparse->component_count; ++k) {
-		const cni_component *c = &sparse->components[k];
-		if (!c->done)
-			work += (int64_t)c->work * world->settings.substeps;
-	}
+	for (k = 0; k < sparse->component_count; ++k)
+		work += sparse->components[k].done ? 0 : (int64_t)sparse->components[k].work * world->settings.substeps;
 	return work < INT32_MAX ? (int32_t)work : INT32_MAX;
 }
 
@@ -82,8 +79,8 @@ static int32_t was_soft(const cn_world *world, const cni_sparse *sparse, const c
 
 /*
  * A loop of pins or rods between fixed bodies, such as a bridge between two walls, may be so straight that no force can hold it: rigid
- * joints explode there when contacts load it, or when they are to close what soft ones have opened (RATTLE finds that no motion does). Trees
- * have no such configurations, nor have loops with gears. A loop of moving bodies alone, such as a scissor lift, stays exact unless it was
+ * joints explode there when contacts load it, or when they are to close what soft ones or the game opened (RATTLE finds that no motion does).
+ * Trees have no such configurations, nor have loops with gears. A loop of moving bodies alone, such as a scissor lift, stays exact unless it was
  * soft and is still open, or most of its bodies touch something, more than contacts can know its joints (direct/heavy_contacts.c): the links
  * of a caterpillar track would be pressed into wheels. Contacts come and go: a loop that closed its joints whenever a body on it bounces
  * would throw the body. So the loop stays soft for the longest span of a trust: of 80 seeds of the family `bridge` 8 are worse than soft
@@ -95,11 +92,9 @@ static int32_t loop_is_better_soft(const cn_world *world, const cni_solve *s, co
 	if (!CNI_ON(SOFT_LOOPS) || world->settings.solver != CN_SOLVER_AUTO || !c->loops || c->has_contacts || bodies == 0 || is_requested(world, sparse, c))
 		return 0;
 	touched = cni_component_touched(world, sparse, c);
-	opened = was_soft(world, sparse, c) && is_open(world, s, sparse, c);
-	if (touched == 0 && (c->uses_rattle || !opened))
-		return 0;
 	fixed = cni_component_held(world, sparse, c);
-	if (!may_be_straight(world, sparse, c, fixed))
+	opened = (fixed > 1 || (was_soft(world, sparse, c) && (touched > 0 || !c->uses_rattle))) && is_open(world, s, sparse, c);
+	if ((touched == 0 && !opened) || !may_be_straight(world, sparse, c, fixed))
 		return 0;
 	return opened || fixed > 1 || (2 * touched > bodies && touched > cni_heavy_contacts_most(sparse, c));
 }
@@ -141,6 +136,12 @@ static void impulses_soften(cn_world *world, const cni_sparse *sparse, const cni
 		for (i = 0; i < w->row_count; ++i)
 			w->rows[i].impulse *= part;
 	}
+}
+
+static void soften_for(cn_world *world, cni_sparse *sparse, cni_component *c, int32_t span)
+{
+	impulses_soften(world, sparse, c);
+	cni_component_suspend(world, sparse, c, span);
 }
 
 /* A component with a joint that was torn open, by a body that was put elsewhere or by moving parts that pull it apart: exact joints turn
@@ -209,8 +210,7 @@ static void masses_find(const cn_world *world, const cni_sparse *sparse, cni_com
 	for (k = c->body_begin; k < c->body_end; ++k) {
 		float inv_mass = cni_motions(world)[sparse->bodies[k]].inv_mass;
 		most = cni_max(most, inv_mass);
-		if (inv_mass > 0.0f)
-			least = cni_min(least, inv_mass);
+		least = inv_mass > 0.0f ? cni_min(least, inv_mass) : least;
 	}
 	c->heaviest = 1.0f / least;
 	c->mass_ratio = most / least;
@@ -263,13 +263,11 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 		} else if (is_torn(world, out, c)) {
 			impulses_soften(world, out, c);
 			cni_component_release(world, out, c);
-		} else if (is_contradictory(world, out, c) || loop_is_better_soft(world, s, out, c)) {
-			impulses_soften(world, out, c);
-			cni_component_suspend(world, out, c, CNI_TRUST_MOST);
-		} else if (is_ill_scaled(world, s, out, c)) {
-			impulses_soften(world, out, c);
-			cni_component_suspend(world, out, c, 0);
-		} else if (c->body_begin == c->body_end || (!c->uses_rattle && !c->has_contacts && c->end - c->begin == 1 && c->body_end - c->body_begin == 1))
+		} else if (is_contradictory(world, out, c) || loop_is_better_soft(world, s, out, c))
+			soften_for(world, out, c, CNI_TRUST_MOST);
+		else if (is_ill_scaled(world, s, out, c))
+			soften_for(world, out, c, 0);
+		else if (c->body_begin == c->body_end || (!c->uses_rattle && !c->has_contacts && c->end - c->begin == 1 && c->body_end - c->body_begin == 1))
 			cni_component_release(world, out, c); /* one joint to the world */
 		else if (c->uses_rattle)
 			rattle_begin(world, s, out, c);
@@ -343,8 +341,12 @@ void cni_direct_solve(cn_world *world, const cni_solve *s, int32_t bias)
 
 void cni_direct_store(cn_world *world, const cni_solve *s)
 {
+	cni_component *c;
 	if (s->direct == NULL)
 		return;
+	for (c = s->direct->components; c < s->direct->components + s->direct->component_count; ++c)
+		if (!c->done && !c->has_contacts && c->loops && c->regular > CNI_REGULARIZATION_LOOPS) /* its rows contradict each other */
+			soften_for(world, s->direct, c, 0);
 	cni_heavy_contacts_bounce(world, s);
 	cni_direct_contacts_restore_all(world, s->direct, s->h);
 }
