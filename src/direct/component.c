@@ -107,13 +107,12 @@ static void levers_read(const cn_world *world, cni_sparse *sparse, const cni_com
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
 		const cni_row *rows;
-		float most;
 		if (n->owner < 0)
 			continue;
 		rows = cni_joint_constraints(world)[n->owner].rows;
 		for (i = 0; i < n->rows; ++i) {
+			float most = cni_row_push_speed(world, &rows[i]);
 			cni_levers_set(&n->levers, i, rows[i].lever);
-			most = cni_row_push_speed(world, &rows[i]);
 			n->closing[i] = cni_clamp(rate * rows[i].error, -most, most);
 		}
 		if (rate > 0.0f && n->rows > 1 && rows[n->rows - 1].angular)
@@ -220,10 +219,8 @@ static void sides_save(cni_sparse *sparse, const cni_component *c, int32_t resto
 
 /*
  * With A = K + C, right sides b and A x = b, the velocity change M^-1 J^T x has twice the kinetic energy x K x <= x A x = x b: no solution
- * exceeds the work of its right sides. A solution that exceeds it was made by pivots that are rounding. The work itself cannot exceed that of
- * the change u that stops all motion and gives every body the greatest closing speed, no less than that of overlaps, and of motors and limits at
- * their speeds: where J u = b, x b = u M (M^-1 J^T x) <= u M u. A solution beyond that closes gaps of contradictory rows, and its impulses are
- * those of C: they would grow from pass to pass.
+ * exceeds the work of its right sides. A solution that exceeds it was made by pivots that are rounding. Where J u = b, x b <= u M u: no work
+ * exceeds that of a stop of all motion, of motors and of all bodies at the greatest closing speed. More closes gaps of contradictory rows.
  */
 static int32_t is_bounded(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {

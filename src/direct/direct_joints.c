@@ -79,7 +79,7 @@ static int32_t was_soft(const cn_world *world, const cni_sparse *sparse, const c
 
 /*
  * A loop of pins or rods between fixed bodies, such as a bridge between two walls, may be so straight that no force can hold it: rigid
- * joints explode there when contacts load it, or when they are to close what soft ones or the game opened (RATTLE finds that no motion does).
+ * joints explode there when contacts load it, or when they are to close what soft ones have opened (RATTLE finds that no motion does).
  * Trees have no such configurations, nor have loops with gears. A loop of moving bodies alone, such as a scissor lift, stays exact unless it was
  * soft and is still open, or most of its bodies touch something, more than contacts can know its joints (direct/heavy_contacts.c): the links
  * of a caterpillar track would be pressed into wheels. Contacts come and go: a loop that closed its joints whenever a body on it bounces
@@ -92,9 +92,11 @@ static int32_t loop_is_better_soft(const cn_world *world, const cni_solve *s, co
 	if (!CNI_ON(SOFT_LOOPS) || world->settings.solver != CN_SOLVER_AUTO || !c->loops || c->has_contacts || bodies == 0 || is_requested(world, sparse, c))
 		return 0;
 	touched = cni_component_touched(world, sparse, c);
+	opened = was_soft(world, sparse, c) && is_open(world, s, sparse, c);
+	if (touched == 0 && (c->uses_rattle || !opened))
+		return 0;
 	fixed = cni_component_held(world, sparse, c);
-	opened = (fixed > 1 || (was_soft(world, sparse, c) && (touched > 0 || !c->uses_rattle))) && is_open(world, s, sparse, c);
-	if ((touched == 0 && !opened) || !may_be_straight(world, sparse, c, fixed))
+	if (!may_be_straight(world, sparse, c, fixed))
 		return 0;
 	return opened || fixed > 1 || (2 * touched > bodies && touched > cni_heavy_contacts_most(sparse, c));
 }
@@ -145,10 +147,11 @@ static void soften_for(cn_world *world, cni_sparse *sparse, cni_component *c, in
 }
 
 /* A component with a joint that was torn open, by a body that was put elsewhere or by moving parts that pull it apart: exact joints turn
-   its bodies so far while they close the gap that linear systems say nothing of it. It is soft until the gap is closed. */
-static int32_t is_torn(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+   its bodies so far while they close the gap that linear systems say nothing of it. It is soft until the gap is closed. So is a row between two fixed ends that may be too straight to close. */
+static int32_t is_torn(const cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c)
 {
-	return !c->has_contacts && widest_gap(world, sparse, c) > CNI_JOINT_TORN * world->settings.length_unit;
+	int32_t is_row = c->uses_rattle && c->end - c->begin == c->body_end - c->body_begin + 1 && cni_component_held(world, sparse, c) == 2;
+	return !c->has_contacts && (is_row ? is_open(world, s, sparse, c) : widest_gap(world, sparse, c) > CNI_JOINT_TORN * world->settings.length_unit);
 }
 
 /* A net of ropes that are too long: exact ones would lift its load by all that they are, and let other parts of the net go slack. */
@@ -260,7 +263,7 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 		c->uses_rattle = CNI_ON(RATTLE) && !c->has_contacts && cni_component_uses_rattle(world, s, out, c);
 		if (is_stretched_net(world, s, out, c)) {
 			net_release(world, out, c);
-		} else if (is_torn(world, out, c)) {
+		} else if (is_torn(world, s, out, c)) {
 			impulses_soften(world, out, c);
 			cni_component_release(world, out, c);
 		} else if (is_contradictory(world, out, c) || loop_is_better_soft(world, s, out, c))
@@ -345,7 +348,7 @@ void cni_direct_store(cn_world *world, const cni_solve *s)
 	if (s->direct == NULL)
 		return;
 	for (c = s->direct->components; c < s->direct->components + s->direct->component_count; ++c)
-		if (!c->done && !c->has_contacts && c->loops && c->regular > CNI_REGULARIZATION_LOOPS) /* its rows contradict each other */
+		if (!c->done && c->active == 2 && c->loops && c->regular > CNI_REGULARIZATION_LOOPS) /* its rows contradict each other */
 			soften_for(world, s->direct, c, 0);
 	cni_heavy_contacts_bounce(world, s);
 	cni_direct_contacts_restore_all(world, s->direct, s->h);
