@@ -113,13 +113,12 @@ static void levers_read(const cn_world *world, cni_sparse *sparse, const cni_com
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
 		const cni_row *rows;
-		float most;
 		if (n->owner < 0)
 			continue;
 		rows = cni_joint_constraints(world)[n->owner].rows;
 		for (i = 0; i < n->rows; ++i) {
+			float most = cni_row_push_speed(world, &rows[i]);
 			cni_levers_set(&n->levers, i, rows[i].lever);
-			most = cni_row_push_speed(world, &rows[i]);
 			n->closing[i] = cni_clamp(rate * rows[i].error, -most, most);
 		}
 		if (rate > 0.0f && n->rows > 1 && rows[n->rows - 1].angular)
@@ -175,11 +174,10 @@ static void solution_push(cn_world *world, const cni_sparse *sparse, const cni_c
 {
 	cni_motion *motions = cni_motions(world);
 	cni_joint_constraint *constraints = cni_joint_constraints(world);
-	const cni_node *nodes = sparse->nodes;
 	const int32_t end = c->end, width = c->width;
 	int32_t k;
 	for (k = c->begin; k < end; ++k) {
-		const cni_node *n = &nodes[k];
+		const cni_node *n = &sparse->nodes[k];
 		if (n->owner < 0)
 			continue;
 		cni_node_impulses_add(n, constraints[n->owner].rows, n->x, 1.0f);
@@ -227,20 +225,21 @@ static void sides_save(cni_sparse *sparse, const cni_component *c, int32_t resto
 
 /*
  * With A = K + C, right sides b and A x = b, the velocity change M^-1 J^T x has twice the kinetic energy x K x <= x A x = x b: no solution
- * exceeds the work of its right sides. A solution that exceeds it was made by pivots that are rounding. Without motors, joints also cannot
- * exceed the impulse that stops all motion and gives every body the greatest closing speed, and no less than that of overlaps: a solution
- * beyond that closes gaps of contradictory rows.
+ * exceeds the work of its right sides. A solution that exceeds it was made by pivots that are rounding. Where J u = b, x b <= u M u: no work
+ * exceeds that of a stop of all motion, of motors and of all bodies at the greatest closing speed. More closes gaps of contradictory rows.
  */
 static int32_t is_bounded(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
 	cni_four work = cni_four_all(0.0f), change = work, before = work;
-	float fastest = world->settings.push_speed_max, push = 0.0f, gain, all;
+	float fastest = world->settings.push_speed_max, push = 0.0f, all;
 	int32_t k, i;
 	for (k = c->begin; k < c->end; ++k) {
 		const cni_node *n = &sparse->nodes[k];
 		work = cni_four_add(work, cni_four_times(cni_four_load(n->carried), cni_four_load(n->x)));
 		for (i = 0; i < n->rows && n->owner >= 0; ++i)
 			fastest = cni_max(fastest, cni_abs(n->closing[i]) * cni_row_length(world, &cni_joint_constraints(world)[n->owner].rows[i]));
+		if (n->active & CNI_ROW_IN_SET)
+			push += cni_abs(n->target * n->x[2]);
 	}
 	for (k = c->body_begin; k < c->body_end; ++k) {
 		const cni_motion *m = cni_motions(world) + sparse->bodies[k];
@@ -251,11 +250,8 @@ static int32_t is_bounded(const cn_world *world, const cni_sparse *sparse, const
 		before = cni_four_add(before, cni_four_times(cni_four_times(old, old), masses));
 		push += mass * fastest * fastest;
 	}
-	gain = cni_four_sum(change);
 	all = cni_four_sum(before);
-	if (c->active < 2 && !(gain <= 2.0f * (all + push))) /* (a + b)^2 <= 2 (a^2 + b^2) */
-		return 0;
-	return gain <= 1.1f * cni_four_sum(work) + 1e-6f * all; /* false for NaN */
+	return cni_four_sum(work) <= 2.0f * (all + push) && cni_four_sum(change) <= 1.1f * cni_four_sum(work) + 1e-6f * all; /* false for NaN */
 }
 
 /* The next substep begins without the impulses of dampers and locks: they act against the motion of one substep and are no loads. */
@@ -304,7 +300,6 @@ int32_t cni_direct_apply(cn_world *world, cni_sparse *sparse, cni_component *c)
 void cni_direct_right_sides(cn_world *world, const cni_solve *s, const cni_component *c, int32_t bias)
 {
 	const cni_motion *motions = cni_motions(world);
-	const cni_four zero = cni_four_all(0.0f);
 	const float part = bias ? 1.0f : 0.0f;
 	cni_node *nodes = s->direct->nodes;
 	int32_t k;
@@ -312,7 +307,7 @@ void cni_direct_right_sides(cn_world *world, const cni_solve *s, const cni_compo
 		cni_node *n = &nodes[k];
 		cni_four speed = cni_levers_speed(&n->levers, motions + n->ia, motions + n->ib);
 		cni_four_store(n->total, speed);
-		cni_four_store(n->x, cni_four_subtract(cni_four_subtract(zero, speed), cni_four_scale(cni_four_load(n->closing), part)));
+		cni_four_store(n->x, cni_four_subtract(cni_four_subtract(cni_four_all(0.0f), speed), cni_four_scale(cni_four_load(n->closing), part)));
 	}
 	if (bias && c->loops && !c->has_contacts)
 		leaks_add(world, s->direct, c);

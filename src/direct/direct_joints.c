@@ -22,11 +22,8 @@ static int32_t work_planned(const cn_world *world, const cni_sparse *sparse)
 {
 	int64_t work = 0;
 	int32_t k;
-	for (k = 0; k < sparse->component_count; ++k) {
-		const cni_component *c = &sparse->components[k];
-		if (!c->done)
-			work += (int64_t)c->work * world->settings.substeps;
-	}
+	for (k = 0; k < sparse->component_count; ++k)
+		work += sparse->components[k].done ? 0 : (int64_t)sparse->components[k].work * world->settings.substeps;
 	return work < INT32_MAX ? (int32_t)work : INT32_MAX;
 }
 
@@ -145,11 +142,19 @@ static void impulses_soften(cn_world *world, const cni_sparse *sparse, const cni
 	}
 }
 
-/* A component with a joint that was torn open, by a body that was put elsewhere or by moving parts that pull it apart: exact joints turn
-   its bodies so far while they close the gap that linear systems say nothing of it. It is soft until the gap is closed. */
-static int32_t is_torn(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+static void soften_for(cn_world *world, cni_sparse *sparse, cni_component *c, int32_t span)
 {
-	return !c->has_contacts && widest_gap(world, sparse, c) > CNI_JOINT_TORN * world->settings.length_unit;
+	impulses_soften(world, sparse, c);
+	cni_component_suspend(world, sparse, c, span);
+}
+
+/* A component with a joint that was torn open, by a body that was put elsewhere or by moving parts that pull it apart: exact joints turn
+   its bodies so far while they close the gap that linear systems say nothing of it. It is soft until the gap is closed. So is a row between two
+   fixed ends that may be too straight to close. */
+static int32_t is_torn(const cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c)
+{
+	int32_t is_row = c->uses_rattle && c->end - c->begin == c->body_end - c->body_begin + 1 && cni_component_held(world, sparse, c) == 2;
+	return !c->has_contacts && (is_row ? is_open(world, s, sparse, c) : widest_gap(world, sparse, c) > CNI_JOINT_TORN * world->settings.length_unit);
 }
 
 /* A net of ropes that are too long: exact ones would lift its load by all that they are, and let other parts of the net go slack. */
@@ -211,8 +216,7 @@ static void masses_find(const cn_world *world, const cni_sparse *sparse, cni_com
 	for (k = c->body_begin; k < c->body_end; ++k) {
 		float inv_mass = cni_motions(world)[sparse->bodies[k]].inv_mass;
 		most = cni_max(most, inv_mass);
-		if (inv_mass > 0.0f)
-			least = cni_min(least, inv_mass);
+		least = inv_mass > 0.0f ? cni_min(least, inv_mass) : least;
 	}
 	c->heaviest = 1.0f / least;
 	c->mass_ratio = most / least;
@@ -265,16 +269,14 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 		c->uses_rattle = CNI_ON(RATTLE) && !c->has_contacts && cni_component_uses_rattle(world, s, out, c);
 		if (is_stretched_net(world, s, out, c)) {
 			net_release(world, out, c);
-		} else if (is_torn(world, out, c)) {
+		} else if (is_torn(world, s, out, c)) {
 			impulses_soften(world, out, c);
 			cni_component_release(world, out, c);
-		} else if (is_contradictory(world, out, c) || loop_is_better_soft(world, s, out, c)) {
-			impulses_soften(world, out, c);
-			cni_component_suspend(world, out, c, CNI_TRUST_MOST);
-		} else if (is_ill_scaled(world, s, out, c)) {
-			impulses_soften(world, out, c);
-			cni_component_suspend(world, out, c, 0);
-		} else if (c->body_begin == c->body_end || (!c->uses_rattle && !c->has_contacts && c->end - c->begin == 1 && c->body_end - c->body_begin == 1))
+		} else if (is_contradictory(world, out, c) || loop_is_better_soft(world, s, out, c))
+			soften_for(world, out, c, CNI_TRUST_MOST);
+		else if (is_ill_scaled(world, s, out, c))
+			soften_for(world, out, c, 0);
+		else if (c->body_begin == c->body_end || (!c->uses_rattle && !c->has_contacts && c->end - c->begin == 1 && c->body_end - c->body_begin == 1))
 			cni_component_release(world, out, c); /* one joint to the world */
 		else if (c->uses_rattle)
 			rattle_begin(world, s, out, c);
@@ -348,8 +350,12 @@ void cni_direct_solve(cn_world *world, const cni_solve *s, int32_t bias)
 
 void cni_direct_store(cn_world *world, const cni_solve *s)
 {
+	cni_component *c;
 	if (s->direct == NULL)
 		return;
+	for (c = s->direct->components; c < s->direct->components + s->direct->component_count; ++c)
+		if (!c->done && c->active == 2 && c->loops && c->regular > CNI_REGULARIZATION_LOOPS) /* its rows contradict each other */
+			soften_for(world, s->direct, c, 0);
 	cni_heavy_contacts_bounce(world, s);
 	cni_direct_contacts_restore_all(world, s->direct, s->h);
 }

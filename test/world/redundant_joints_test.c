@@ -1,6 +1,6 @@
 /*
  * test/world/redundant_joints_test.c - joints that say the same as others, or contradict them: coupled wheels, straight bridges, welded arches,
- * parts that are held beyond a limit; chains on kinematic bodies.
+ * parts that are held beyond a limit, or joined in play; bridges whose planks are moved; chains on kinematic bodies.
  *
  * If a test here fails, run world/direct and world/mechanism first. Then look at rattle_begin and is_contradictory in direct/direct_joints.c, and
  * at cni_sparse_is_redundant in linear/sparse_solve.c.
@@ -526,6 +526,107 @@ static void too_many_joints_stay_closed(void)
 	CHECK_LE("widest gap with 4 to 10 welds or pins between each two boxes", widest, 0.01, "m");
 }
 
+/* A straight bridge of planks of which one after another is kinematic for a step, and moves in a way that the others cannot follow. Returns its
+   greatest speed. */
+static double pulled_bridge_reaches(int32_t planks, uint32_t seed)
+{
+	scene s = scene_open(10.0, 1, CN_SOLVER_AUTO);
+	double fastest = 0.0;
+	int32_t k;
+	for (k = 0; k < planks; ++k) {
+		(void)beam(&s, 0.5f * (float)k + 0.25f, 0.0f, 0.0f, 0.25f, 0.08f);
+		pin(&s, k > 0 ? s.bodies[k - 1] : 0, at(k > 0 ? 0.25f : 0.0f, 0.0f), s.bodies[k], at(-0.25f, 0.0f));
+	}
+	pin(&s, last_body(&s), at(0.25f, 0.0f), 0, at(0.5f * (float)planks, 0.0f));
+	for (k = 0; k < 60; ++k) {
+		cn_body pulled = s.bodies[(int32_t)fixture_random(&seed, 1.0f, (float)planks - 1.01f)];
+		float turn = fixture_random(&seed, 0.0f, 6.28f);
+		must(cn_body_set_type(s.world, pulled, CN_BODY_KINEMATIC), s.world, "cn_body_set_type");
+		fixture_set_velocity(s.world, pulled, 5.0f * cosf(turn), 5.0f * fabsf(sinf(turn)), 0.0f);
+		fixture_step(s.world, 1);
+		must(cn_body_set_type(s.world, pulled, CN_BODY_DYNAMIC), s.world, "cn_body_set_type");
+		fixture_step(s.world, k % 3);
+		fastest = greater(fastest, fastest_of(&s, s.bodies, s.body_count));
+	}
+	scene_close(&s);
+	return fastest;
+}
+
+static void pulled_bridges_are_not_thrown(void)
+{
+	double fastest = 0.0;
+	int32_t planks, thrown = 0;
+	for (planks = 6; planks < 26; ++planks) {
+		double reached = pulled_bridge_reaches(planks, 77u * (uint32_t)planks);
+		fastest = greater(fastest, reached);
+		thrown += reached > 40.0;
+	}
+	CHECK_LE("bridges of 20 that pass 40 m/s when planks are pulled at 5 m/s", thrown, 0, "");
+	CHECK_LE("fastest (soft constraints 28)", fastest, 40.0, "m/s");
+}
+
+/* Joins two parts as they are, by a pin, a weld or a rod. */
+static void join_in_play(scene *s, uint32_t *random)
+{
+	cn_body a = s->bodies[(int32_t)fixture_random(random, 0.0f, 8.99f)], b = s->bodies[(int32_t)fixture_random(random, 0.0f, 8.99f)];
+	cn_vec2 to = fixture_pose(s->world, b).position_m, local;
+	int32_t kind = (int32_t)fixture_random(random, 0.0f, 2.99f);
+	if (a == b)
+		return;
+	must(cn_body_get_local_point(s->world, a, to.x, to.y, &local), s->world, "cn_body_get_local_point");
+	if (kind == 0) {
+		pin(s, a, local, b, at(0.0f, 0.0f));
+	} else if (kind == 1) {
+		cn_fixed_def def;
+		cn_fixed_def_init(&def);
+		connect(&def.base, a, local, b, at(0.0f, 0.0f));
+		def.reference_angle_rad = (float)(angle_of(s->world, b) - angle_of(s->world, a));
+		s->joints[s->joint_count++] = make_fixed(s->world, &def);
+	} else {
+		cn_vec2 from = fixture_pose(s->world, a).position_m;
+		cn_distance_def def = distance_def(a, at(0.0f, 0.0f), b, at(0.0f, 0.0f), hypotf(to.x - from.x, to.y - from.y));
+		must(cn_joint_create_distance(s->world, &def, &s->joints[s->joint_count++]), s->world, "cn_joint_create_distance");
+	}
+}
+
+/* Four legs whose joints have limits, and half of them motors that hold them: parts are joined every quarter of a second. */
+static double joined_walker_reaches(uint32_t seed)
+{
+	scene s = scene_open(10.0, 1, CN_SOLVER_AUTO);
+	double fastest = 0.0;
+	int32_t k;
+	fixture_floor(s.world, 0.6f, 0.0f);
+	(void)beam(&s, 0.0f, 2.0f, 0.0f, 0.8f, 0.2f);
+	for (k = 0; k < 8; ++k) {
+		float x = -0.6f + 0.4f * (float)(k / 2);
+		cn_revolute_def def = revolute_def(k % 2 > 0 ? last_body(&s) : s.bodies[0], k % 2 > 0 ? at(0.0f, -0.35f) : at(x, -0.2f), 0, at(0.0f, 0.38f));
+		def.base.body_b = beam(&s, x, k % 2 > 0 ? 0.72f : 1.45f, 0.0f, 0.07f, k % 2 > 0 ? 0.4f : 0.3f);
+		def.base.flags = CN_JOINT_LIMIT | (k % 4 == 0 ? CN_JOINT_MOTOR : 0u);
+		def.lower_angle_rad = -0.9f;
+		def.upper_angle_rad = 0.6f;
+		def.motor_torque_max_Nm = 30.0f;
+		must(cn_joint_create_revolute(s.world, &def, &s.joints[s.joint_count++]), s.world, "cn_joint_create_revolute");
+	}
+	for (k = 0; k < 24; ++k) {
+		int32_t i;
+		join_in_play(&s, &seed);
+		for (i = 0; i < 15; ++i) {
+			fixture_step(s.world, 1);
+			fastest = greater(fastest, fastest_of(&s, s.bodies, s.body_count));
+		}
+	}
+	scene_close(&s);
+	return fastest;
+}
+
+static void joints_made_in_play_throw_nothing(void)
+{
+	int32_t k, thrown = 0;
+	for (k = 1; k <= 100; ++k)
+		thrown += joined_walker_reaches(1234567u * (uint32_t)k) > 30.0;
+	CHECK_LE("walkers of 100 that pass 30 m/s when their parts are joined", thrown, 1, "");
+}
+
 int main(void)
 {
 	RUN(straight_bridges_are_not_thrown);
@@ -533,8 +634,10 @@ int main(void)
 	RUN(coupled_wheels_turn_on);
 	RUN(trusses_bear_boxes);
 	RUN(trusses_fall_calmly_when_they_lose_a_wall);
+	RUN(joints_made_in_play_throw_nothing);
 	RUN(light_bodies_between_heavy_ones_are_not_thrown);
 	RUN(light_discs_on_long_arms_are_not_thrown);
+	RUN(pulled_bridges_are_not_thrown);
 	RUN(slides_that_part_are_not_thrown);
 	RUN(too_many_joints_stay_closed);
 	RUN(straight_bridges_rest);
