@@ -450,27 +450,36 @@ static void kernel_relax(const cni_color_pass *c, int32_t begin, int32_t end)
 	solve_blocks(c, begin, end, 0);
 }
 
+/* Solves the lanes of a block once more that are bits of `again`. */
+CNI_INLINE void solve_marked(const cni_color_pass *c, const cni_listed_block *b, cni_block_extra *extra, uint32_t again, const float *bounces)
+{
+	int32_t l;
+	for (l = b->begin; again >> l != 0; l += CNI_WIDTH) {
+		uint32_t bits = again >> l & ((1u << CNI_WIDTH) - 1u);
+		side a, other;
+		if (bits == 0)
+			continue;
+		side_gather(c->motions, b->rows->ia + l, &a);
+		side_gather(c->motions, b->rows->ib + l, &other);
+		if (extra != NULL)
+			sides_lock(extra, l, &a, &other);
+		solve_live(b->rows, extra, l, &a, &other, &c->kinds[b->kind], 1, bounces, cni_mask_of_bits(bits));
+		sides_scatter(c->motions, b->rows, l, &a, &other, &c->kinds[b->kind]);
+	}
+}
+
 /* Solves the lanes that are marked once more, and clears the marks. */
 static void kernel_again(const cni_color_pass *c, int32_t begin, int32_t end)
 {
-	int32_t k, l;
+	int32_t k;
 	for (k = begin; k < end; ++k) {
 		const cni_listed_block *b = &c->blocks[k];
-		const float *bounces = b->info->flags & CNI_BLOCK_BOUNCES ? b->info->restitution : NULL;
 		uint32_t again = b->info->again;
 		b->info->again = 0;
-		for (l = b->begin; again >> l != 0; l += CNI_WIDTH) {
-			uint32_t bits = again >> l & ((1u << CNI_WIDTH) - 1u);
-			side a, other;
-			if (bits == 0)
-				continue;
-			side_gather(c->motions, b->rows->ia + l, &a);
-			side_gather(c->motions, b->rows->ib + l, &other);
-			if (b->extra != NULL)
-				sides_lock(b->extra, l, &a, &other);
-			solve_live(b->rows, b->extra, l, &a, &other, &c->kinds[b->kind], 1, bounces, cni_mask_of_bits(bits));
-			sides_scatter(c->motions, b->rows, l, &a, &other, &c->kinds[b->kind]);
-		}
+		if (b->extra == NULL && !(b->info->flags & CNI_BLOCK_BOUNCES))
+			solve_marked(c, b, NULL, again, NULL);
+		else
+			solve_marked(c, b, b->extra, again, b->info->flags & CNI_BLOCK_BOUNCES ? b->info->restitution : NULL);
 	}
 }
 

@@ -29,14 +29,6 @@ void cni_direct_rotations(const cn_world *world, cni_sparse *sparse, const cni_c
 		sparse->turn[sparse->bodies[k]] = cni_rot_small(cni_motions(world)[sparse->bodies[k]].theta);
 }
 
-int32_t cni_component_touched(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
-{
-	int32_t k, count = 0;
-	for (k = c->body_begin; k < c->body_end; ++k)
-		count += (cni_externals(world)[sparse->bodies[k]].flags & CNI_EXTERNAL_TOUCHED) != 0;
-	return count;
-}
-
 int32_t cni_component_held(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
 	const cni_motion *motions = cni_motions(world);

@@ -345,13 +345,13 @@ static int32_t rounds_are_over(const cni_direct_contact_pass *q, int32_t round, 
 		is_in_vain(q, round, violations) || cni_attempt_work_is_spent(q->world, q->c);
 }
 
-/* Starts from the set of the last pass; if that is violated, from it and all touching points. */
+/* Starts from the set of the last pass; if more than one of its rows is violated, or one is again, from it and all touching points. */
 int32_t cni_direct_contact_set_find(const cni_direct_contact_pass *q)
 {
 	int32_t round, violations = slides_match(q, 1, set_try(q, 1)), fits = 1;
 	for (round = 0; violations != 0 && !rounds_are_over(q, round, violations); ++round) {
 		int32_t all = round < CNI_CONTACT_SET_ROUNDS_ALL;
-		if (fits && violations > 0) {
+		if (fits && violations > (round == 0)) {
 			cni_direct_contact_states_save(q, 1);
 			cni_direct_contact_round_begin(q);
 			touching_activate(q);

@@ -88,10 +88,9 @@ static int32_t was_soft(const cn_world *world, const cni_sparse *sparse, const c
  */
 static int32_t loop_is_better_soft(const cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c)
 {
-	int32_t touched, opened, fixed, bodies = c->body_end - c->body_begin;
+	int32_t touched = c->touched, opened, fixed, bodies = c->body_end - c->body_begin;
 	if (!CNI_ON(SOFT_LOOPS) || world->settings.solver != CN_SOLVER_AUTO || !c->loops || c->has_contacts || bodies == 0 || is_requested(world, sparse, c))
 		return 0;
-	touched = cni_component_touched(world, sparse, c);
 	opened = was_soft(world, sparse, c) && is_open(world, s, sparse, c);
 	if (touched == 0 && (c->uses_rattle || !opened))
 		return 0;
@@ -209,14 +208,16 @@ static int32_t is_redundant(cn_world *world, const cni_solve *s, cni_sparse *spa
 	return 0;
 }
 
-static void masses_find(const cn_world *world, const cni_sparse *sparse, cni_component *c)
+static void bodies_look(const cn_world *world, const cni_sparse *sparse, cni_component *c)
 {
 	float least = FLT_MAX, most = 0.0f;
 	int32_t k;
+	c->touched = 0;
 	for (k = c->body_begin; k < c->body_end; ++k) {
 		float inv_mass = cni_motions(world)[sparse->bodies[k]].inv_mass;
 		most = cni_max(most, inv_mass);
 		least = inv_mass > 0.0f ? cni_min(least, inv_mass) : least;
+		c->touched += (cni_externals(world)[sparse->bodies[k]].flags & CNI_EXTERNAL_TOUCHED) != 0;
 	}
 	c->heaviest = 1.0f / least;
 	c->mass_ratio = most / least;
@@ -237,8 +238,8 @@ static int32_t is_ill_scaled(cn_world *world, const cni_solve *s, cni_sparse *sp
    freely turns at rest in itself, and stays with RATTLE. */
 static void rattle_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c)
 {
-	float part = CNI_RATTLE_REDUNDANT * (cni_component_is_braced(world, sparse, c) ? CNI_RATTLE_BRACED : 1.0f);
-	if (c->loops && cni_component_held(world, sparse, c) > 0 && is_redundant(world, s, sparse, c, part))
+	int32_t held = c->loops && cni_component_held(world, sparse, c) > 0;
+	if (held && is_redundant(world, s, sparse, c, CNI_RATTLE_REDUNDANT * (cni_component_is_braced(world, sparse, c) ? CNI_RATTLE_BRACED : 1.0f)))
 		c->uses_rattle = 0;
 	else
 		cni_sparse_clear(sparse, c);
@@ -265,7 +266,7 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 		if (far && k + 1 < out->component_count)
 			cni_component_prefetch(world, out, k + 1);
 		c->regular = c->has_contacts ? CNI_REGULARIZATION_CONTACTS : c->loops ? CNI_REGULARIZATION_LOOPS : 0.0f;
-		masses_find(world, out, c);
+		bodies_look(world, out, c);
 		c->uses_rattle = CNI_ON(RATTLE) && !c->has_contacts && cni_component_uses_rattle(world, s, out, c);
 		if (is_stretched_net(world, s, out, c)) {
 			net_release(world, out, c);

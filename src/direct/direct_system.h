@@ -14,8 +14,6 @@
 int32_t cni_direct_plan(cn_world *world, cni_sparse *out);
 /* Reads the nodes' levers from the rows of their joint constraints and factors the system. */
 void cni_direct_refresh(cn_world *world, cni_sparse *sparse, const cni_component *c);
-/* Number of its bodies that have contacts in lanes. */
-int32_t cni_component_touched(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
 /* Number of its joints that end at a body without mass. */
 int32_t cni_component_held(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
 /* 1: fixed bodies hold it at more than one joint, and its loops have few bodies each: a short bridge, a truss. For components without contacts. */

@@ -207,18 +207,23 @@ static int32_t is_pressed(const cn_world *world, const cni_solve *s, int32_t con
 	float stress = slow ? CNI_HEAVY_SLOW_STRESS : fixed ? CNI_HEAVY_STATIC_STRESS : CNI_HEAVY_CONTACT_STRESS;
 	float speed = stress * cni_length(world->settings.gravity) * s->h;
 	int32_t k, slot = cni_contact_at(world, contact)->slot, l = slot % CNI_LANES, idle = 0;
-	const cni_contact_row *rows = cni_block_at(world, slot / CNI_LANES)->p;
+	const cni_contact_block *block = cni_block_at(world, slot / CNI_LANES);
+	const cni_contact_row *rows = block->p;
+	const cni_motion *a = cni_motions(world) + block->ia[l], *b = cni_motions(world) + block->ib[l];
+	cni_direct_contact p;
 	for (k = 0; k < 2; ++k) {
 		if (rows[k].jn[l] > speed * rows[k].nm[l])
 			return 1;
 		idle |= (rows[k].nm[l] > 0.0f && !(rows[k].jn[l] > 0.0f)) << k;
 	}
-	for (k = 0; idle >> k != 0; ++k) {
-		const changes d = changes_begin(world, contact);
-		float closing = cni_direct_contact_speed(&d.p, k, cni_motions(world) + d.p.ia, cni_motions(world) + d.p.ib);
+	if (idle == 0)
+		return 0;
+	cni_direct_contact_read(world, cni_contact_at(world, contact), &p);
+	for (k = 0; k < 2; ++k) {
+		float closing = cni_direct_contact_speed(&p, k, a, b);
 		if (!(idle >> k & 1) || !(!fixed || slow || closing < s->contact[0].impact_speed))
 			continue;
-		if (cni_direct_contact_separation(&d.p, k, cni_motions(world) + d.p.ia, cni_motions(world) + d.p.ib) + s->dt * closing < world->settings.slop)
+		if (cni_direct_contact_separation(&p, k, a, b) + s->dt * closing < world->settings.slop)
 			return 1;
 	}
 	return 0;
@@ -303,16 +308,17 @@ int32_t cni_heavy_contacts_list(const cn_world *world, const cni_solve *s, cni_s
 	const cni_component *c = &sparse->components[component];
 	int32_t k, first = sparse->heavy_count, most, slow, batchable;
 	float ratio;
-	if (!CNI_ON(HEAVY_CONTACTS) || c->mass_ratio > CNI_ILL_MASS_RATIO)
+	if (!CNI_ON(HEAVY_CONTACTS) || !CNI_ON(JOINT_PROJECTION) || c->mass_ratio > CNI_ILL_MASS_RATIO)
 		return 0;
-	if (!CNI_ON(JOINT_PROJECTION) || c->has_contacts || cni_component_touched(world, sparse, c) == 0 || may_break(world, sparse, c))
+	if (c->has_contacts || c->touched == 0 || may_break(world, sparse, c))
 		return 0;
 	batchable = is_batchable(sparse, c);
 	ratio = batchable ? CNI_SELECTION_MASS_RATIO : 1.0f; /* else only bodies that may crush its own: ragdolls would take 4 times as long as soft ones instead of 2.1 times */
 	slow = is_slow(world, sparse, c, batchable);
 	most = cni_min_i(first + cni_heavy_contacts_most(sparse, c), CNI_HEAVY_CONTACTS_MOST);
 	for (k = c->body_begin; k < c->body_end; ++k)
-		body_contacts_list(world, s, sparse, component, sparse->bodies[k], ratio, most, slow);
+		if (cni_externals(world)[sparse->bodies[k]].flags & CNI_EXTERNAL_TOUCHED)
+			body_contacts_list(world, s, sparse, component, sparse->bodies[k], ratio, most, slow);
 	return sparse->heavy_count > first;
 }
 

@@ -27,7 +27,7 @@ void cni_projection_mark(const cn_world *world, cni_sparse *sparse)
 	memset(sparse->projections, 0, sizeof(cni_projection) * (size_t)sparse->component_count);
 	for (k = 0; k < sparse->component_count; ++k) {
 		const cni_component *c = &sparse->components[k];
-		if (c->done || c->has_contacts || cni_component_touched(world, sparse, c) == 0)
+		if (c->done || c->has_contacts || c->touched == 0)
 			continue;
 		for (i = c->body_begin; i < c->body_end; ++i)
 			sparse->projection_of[sparse->bodies[i]] = k;

@@ -70,6 +70,7 @@ typedef struct cni_component {
 	int16_t tree;                  /* 1: the graph of moving bodies and nodes has no cycle */
 	int16_t has_ropes;             /* 1: some nodes have no rows of their own */
 	int32_t width;                 /* 2 or 3: rows per node in the solution */
+	int32_t touched;               /* number of its bodies that have contacts in lanes */
 	float heaviest;                /* greatest mass of a body, kg */
 	float mass_ratio;              /* ... over the least */
 	int32_t checked;               /* 1: its solutions are checked */
