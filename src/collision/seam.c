@@ -8,7 +8,6 @@
  * manifold_chain.c). A face that one neighbour covers leads nowhere: a shape deep inside leaves through another face.
  */
 #include "collision/manifold.h"
-#include "collision/distance.h"
 
 /* Sine of the angle up to which two faces are one surface: a tile of 2 m is off by less than the slop then. */
 #define FLUSH_SINE_MAX 0.002f

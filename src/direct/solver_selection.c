@@ -31,7 +31,6 @@
 #include "contacts/contacts.h"
 #include "contacts/deep_lanes.h"
 #include "direct/direct_contact.h"
-#include "model/solve.h"
 
 #define ISLANDS_MOST 64        /* solved directly at the same time, of CN_SOLVER_AUTO */
 #define BLOCKS_AHEAD 8         /* whose memory is asked for */

@@ -6,7 +6,6 @@
 #include "model/world.h"
 
 #include <float.h>
-#include <string.h>
 
 #define MASSES_KEPT 4
 

@@ -23,7 +23,6 @@
 #include "narrowphase/narrowphase.h"
 #include "narrowphase/touch.h"
 #include "base/bitset.h"
-#include "collision/distance.h"
 #include "contacts/deep_lanes.h"
 
 #include <float.h>

@@ -13,7 +13,6 @@
  */
 #include "step/stages.h"
 #include "base/sort.h"
-#include "collision/distance.h"
 #include "geometry/medium.h"
 
 #include <string.h>

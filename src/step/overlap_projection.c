@@ -20,7 +20,6 @@
 #include "step/stages.h"
 #include "base/bitset.h"
 #include "contacts/contacts.h"
-#include "contacts/contact_pass.h"
 #include "contacts/deep_lanes.h"
 #include "step/step.h"
 

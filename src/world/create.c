@@ -5,7 +5,6 @@
  * beginning, and the rest serves all allocations; all capacities are then reserved at creation, so that a
  * world within its capacities allocates nothing later.
  */
-#include "joints/joints.h"
 #include "direct/direct.h"
 #include "contacts/contacts.h"
 #include "joints/joint_pass.h"

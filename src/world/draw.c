@@ -4,7 +4,6 @@
 #include "joints/joint_type.h"
 #include "world/error.h"
 
-#include <string.h>
 
 enum {
 	COLOR_STATIC = 0x7F9F7F,

@@ -8,7 +8,6 @@
 #include "joints/joint_type.h"
 #include "direct/direct.h"
 #include "narrowphase/touch.h"
-#include "model/solve.h"
 #include "world/error.h"
 
 #include <string.h>
