@@ -117,8 +117,7 @@ static int32_t is_slow(const cn_world *world, int32_t index, cni_vec2 frame)
 static int32_t island_is_still(const cn_world *world, cni_island *i)
 {
 	cni_vec2 frame = cni_island_frame(world, i);
-	int32_t body;
-	for (body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
+	for (int32_t body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
 		if (!is_slow(world, cni_body_at(world, body)->awake, frame))
 			return 0;
 	return 1;
@@ -135,20 +134,19 @@ static float overlap(const cni_contact_block *k, int32_t l)
  */
 static int32_t island_is_meeting(const cn_world *world, const cni_island *i)
 {
-	int32_t body, key, near = 0, far = 0;
+	int32_t near = 0, far = 0;
 	float slop = world->settings.slop;
-	for (body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next) {
+	for (int32_t body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next) {
 		float most = cni_max(CNI_SELECTION_DEEP_PART * cni_body_at(world, body)->core, slop);
-		for (key = cni_body_at(world, body)->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
+		for (int32_t key = cni_body_at(world, body)->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
 			const cni_contact *c = cni_contact_of_key(world, key);
 			const cni_contact_block *k = cni_contact_has_lane(c) ? cni_block_at(world, c->slot / CNI_LANES) : NULL;
 			int32_t l = c->slot % CNI_LANES;
-			float deep;
 			if (k == NULL)
 				continue;
 			if (k->p[0].jn[l] + k->p[1].jn[l] > 0.0f)
 				return 0;
-			deep = overlap(k, l);
+			float deep = overlap(k, l);
 			near += deep < -0.1f * slop && deep > -slop;
 			far += deep > most || (deep <= -slop && deep > -world->settings.contact_margin);
 		}
@@ -213,9 +211,8 @@ static void island_mark_bad(cn_world *world, int32_t island, int32_t reason)
  */
 static void loads_clear(const cn_world *world, const cni_island *i)
 {
-	int32_t body, key;
-	for (body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
-		for (key = cni_body_at(world, body)->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
+	for (int32_t body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
+		for (int32_t key = cni_body_at(world, body)->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
 			const cni_contact *c = cni_contact_of_key(world, key);
 			if (!(c->flags & CNI_CONTACT_TOUCHING) || c->slot == CNI_NONE)
 				continue;
@@ -254,12 +251,11 @@ static int32_t may_be_stressed(const cn_world *world, const cni_contact_block *k
 static int32_t is_leaning(const cn_world *world, const cni_contact_block *k, int32_t l)
 {
 	cni_island *i = awake_island(world, k->ia[l]);
-	cni_vec2 frame;
 	if (i == NULL)
 		return 0;
 	if (i->unheld_step != 0)
 		return 1;
-	frame = cni_island_frame(world, i);
+	cni_vec2 frame = cni_island_frame(world, i);
 	return is_slow(world, k->ia[l], frame) && is_slow(world, k->ib[l], frame);
 }
 
@@ -301,8 +297,7 @@ static void new_lane_check(cn_world *world, lane_scan *q, const cni_contact_bloc
 static void block_check(cn_world *world, lane_scan *q, const cni_listed_block *b, uint32_t lanes)
 {
 	const cni_contact_block *k = b->rows;
-	int32_t l;
-	for (l = 0; lanes >> l != 0; ++l) {
+	for (int32_t l = 0; lanes >> l != 0; ++l) {
 		if (!(lanes >> l & 1u))
 			continue;
 		if (b->fresh >> l & 1u)
@@ -315,8 +310,7 @@ static void block_check(cn_world *world, lane_scan *q, const cni_listed_block *b
 /* Islands in which the top-down sweep of the last step left a body unsupported. */
 static void unheld_check(cn_world *world)
 {
-	int32_t k;
-	for (k = 1; k < world->awake_count; ++k) {
+	for (int32_t k = 1; k < world->awake_count; ++k) {
 		const cni_island *i = awake_island(world, k);
 		if (i != NULL && i->unheld_step == world->step_count && world->step_count > 0)
 			island_mark_bad(world, cni_awake_island(world, k), CN_TIER_REASON_NEW_CONTACT);
@@ -327,8 +321,8 @@ static void lanes_check(cn_world *world, float h)
 {
 	lane_scan q = { CNI_BAD_PART * world->settings.accuracy, h, CNI_NONE };
 	const cni_listed_block *list = (const cni_listed_block *)world->block_list.data;
-	int32_t k, count = world->colors[CNI_COLORS - 1].listed + world->colors[CNI_COLORS - 1].listed_count;
-	for (k = 0; k < count; ++k) {
+	int32_t count = world->colors[CNI_COLORS - 1].listed + world->colors[CNI_COLORS - 1].listed_count;
+	for (int32_t k = 0; k < count; ++k) {
 		if (k + BLOCKS_AHEAD < count) {
 			CNI_PREFETCH(list[k + BLOCKS_AHEAD].rows->p[0].s0);
 			CNI_PREFETCH(list[k + BLOCKS_AHEAD].rows->p[1].s0);
@@ -353,8 +347,8 @@ static void leaning_island_keep(cn_world *world, int32_t island, float h)
 /* Drops islands that have been good for long enough, sleep, or no longer exist. */
 static void list_update(cn_world *world, float h)
 {
-	int32_t k, kept = 0;
-	for (k = 0; k < world->direct_islands.count; ++k) {
+	int32_t kept = 0;
+	for (int32_t k = 0; k < world->direct_islands.count; ++k) {
 		int32_t island = direct_list(world)[k];
 		cni_island *i = cni_island_at(world, island);
 		if (i->first == CNI_NONE)
@@ -401,8 +395,7 @@ static void list_update(cn_world *world, float h)
 
 void cni_solver_selection_reset(cn_world *world)
 {
-	int32_t k;
-	for (k = 0; k < world->direct_islands.count; ++k)
+	for (int32_t k = 0; k < world->direct_islands.count; ++k)
 		cni_island_at(world, direct_list(world)[k])->tier = CNI_TIER_SOFT;
 	world->direct_islands.count = 0;
 	world->direct_work = world->direct_failed = 0;
@@ -410,8 +403,7 @@ void cni_solver_selection_reset(cn_world *world)
 
 static void joint_solver_gather(cn_world *world, const cni_joint *j)
 {
-	int32_t side;
-	for (side = 0; side < 2; ++side) {
+	for (int32_t side = 0; side < 2; ++side) {
 		int32_t index = j->body[side] != CNI_NONE ? cni_body_at(world, j->body[side])->awake : 0;
 		cni_island *i = index != 0 ? awake_island(world, index) : NULL;
 		if (i == NULL)
@@ -423,8 +415,7 @@ static void joint_solver_gather(cn_world *world, const cni_joint *j)
 
 static void solvers_reset(const cn_world *world)
 {
-	int32_t k;
-	for (k = 1; k < world->awake_count; ++k) {
+	for (int32_t k = 1; k < world->awake_count; ++k) {
 		cni_island *i = awake_island(world, k);
 		if (i != NULL)
 			i->solver = i->joints_solver = CN_SOLVER_AUTO;
@@ -434,16 +425,15 @@ static void solvers_reset(const cn_world *world)
 /* Writes the solver settings of bodies and joints to their islands. Islands that wake, and new ones, have none yet. */
 static void solvers_gather(cn_world *world)
 {
-	int32_t k;
 	if (world->solvers_asked)
 		solvers_reset(world);
 	world->solvers_asked = 0;
-	for (k = 0; k < world->awake_joints.count; ++k) {
+	for (int32_t k = 0; k < world->awake_joints.count; ++k) {
 		const cni_joint *j = cni_joint_at(world, ((const int32_t *)world->awake_joints.data)[k]);
 		if (j->solver == CN_SOLVER_DIRECT)
 			joint_solver_gather(world, j);
 	}
-	for (k = 1; k < world->awake_count; ++k) {
+	for (int32_t k = 1; k < world->awake_count; ++k) {
 		int32_t solver = cni_body_solver(cni_body_at(world, cni_awake_ids(world)[k]));
 		cni_island *i = solver != CN_SOLVER_AUTO ? awake_island(world, k) : NULL;
 		if (i == NULL)
@@ -458,8 +448,7 @@ static void solvers_gather(cn_world *world)
    are skipped. */
 static void awake_islands_take(cn_world *world, int32_t every)
 {
-	int32_t k;
-	for (k = 1; k < world->awake_count; ++k) {
+	for (int32_t k = 1; k < world->awake_count; ++k) {
 		cni_island *i = awake_island(world, k);
 		if (i == NULL || i->tier == CNI_TIER_DIRECT || i->solver == CN_SOLVER_SOFT || (!every && i->solver != CN_SOLVER_DIRECT) ||
 		    i->looked_step == world->step_count + 1u)
