@@ -111,7 +111,7 @@ static int32_t supports_collect(const pile *q, int32_t index, float scale, balan
 	for (int32_t key = b->contact_first; key != CNI_NONE; key = cni_contact_of_key(q->world, key)->next[key & 1]) {
 		const cni_contact *c = cni_contact_of_key(q->world, key);
 		int32_t other = c->body[1 - (key & 1)], block = c->slot / CNI_LANES, l = c->slot % CNI_LANES;
-		if (!(c->flags & CNI_CONTACT_TOUCHING) || c->slot == CNI_NONE)
+		if (!cni_contact_has_lane(c))
 			continue;
 		if (cni_body_at(q->world, other)->type == CN_BODY_DYNAMIC && is_above(q, cni_body_at(q->world, other)->awake, index))
 			continue;

@@ -94,7 +94,7 @@ int32_t cni_direct_contacts_collect(const cn_world *world, int32_t island, int32
 		for (int32_t key = cni_body_at(world, body)->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
 			const cni_contact *c = cni_contact_of_key(world, key);
 			int32_t other = c->body[1 - (key & 1)];
-			if (!(c->flags & CNI_CONTACT_TOUCHING) || c->slot == CNI_NONE)
+			if (!cni_contact_has_lane(c))
 				continue;
 			if (cni_body_at(world, other)->type == CN_BODY_DYNAMIC && (key & 1))
 				continue; /* collected at its other body */

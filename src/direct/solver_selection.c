@@ -214,7 +214,7 @@ static void loads_clear(const cn_world *world, const cni_island *i)
 	for (int32_t body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
 		for (int32_t key = cni_body_at(world, body)->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
 			const cni_contact *c = cni_contact_of_key(world, key);
-			if (!(c->flags & CNI_CONTACT_TOUCHING) || c->slot == CNI_NONE)
+			if (!cni_contact_has_lane(c))
 				continue;
 			cni_block_at(world, c->slot / CNI_LANES)->p[0].load[c->slot % CNI_LANES] = 0.0f;
 			cni_block_at(world, c->slot / CNI_LANES)->p[1].load[c->slot % CNI_LANES] = 0.0f;
@@ -226,7 +226,7 @@ void cni_island_refuse(cn_world *world, int32_t island, int32_t reason)
 	cni_island *i = cni_island_at(world, island);
 	int32_t first = reason == CN_TIER_REASON_NO_SET || reason == CN_TIER_REASON_MOVING ? (int32_t)CNI_SELECTION_RETRY_FIRST :
 		(int32_t)CNI_SELECTION_REFUSED_FIRST;
-	if (i->tier == CNI_TIER_DIRECT && i->falls_steps > 0 && i->gives_step != 0 && world->step_count + 1u - i->gives_step < 3u)
+	if (i->tier == CNI_TIER_DIRECT && i->falls_steps > 0 && world->step_count + 1u - i->gives_step < 3u)
 		loads_clear(world, i);
 	i->tier = CNI_TIER_SOFT;
 	i->reason = reason;
@@ -338,58 +338,66 @@ static void lanes_check(cn_world *world, float h)
 static void leaning_island_keep(cn_world *world, int32_t island, float h)
 {
 	cni_island *i = cni_island_at(world, island);
-	if (i->good_steps >= cni_max_i(i->stay_steps, CNI_SELECTION_STAY_FIRST) && i->good_steps <= CNI_SELECTION_STAY_MAX &&
-	    i->solver != CN_SOLVER_SOFT &&
+	if (i->good_steps >= cni_max_i(i->stay_steps, CNI_SELECTION_STAY_FIRST) && i->solver != CN_SOLVER_SOFT &&
 	    !cni_island_has_joints(world, island) && cni_island_is_quiet(world, i) && !cni_pile_is_supported(world, island, h))
 		i->good_steps = 0;
 }
 
-/* Drops islands that have been good for long enough, sleep, or no longer exist. */
+/* The soft solver gets back an island that has been good for long enough, or was asked to. */
+static void island_give_back(cn_world *world, cni_island *i)
+{
+	if (!island_is_still(world, i))
+		loads_clear(world, i);
+	i->tier = CNI_TIER_SOFT;
+	i->reason = CN_TIER_REASON_NONE;
+	if (i->solver == CN_SOLVER_SOFT)
+		return;
+	i->given_step = world->step_count;
+	i->refused_steps = 0; /* it was solved */
+	i->stay_steps = cni_min_i(CNI_SELECTION_STAY_FACTOR * cni_max_i(i->stay_steps, CNI_SELECTION_STAY_FIRST), CNI_SELECTION_STAY_MAX);
+}
+
+/* 1: the island stays direct. It does not when it has been good for long enough, moves, sleeps, has got joints, or no longer exists. */
+static int32_t island_stays(cn_world *world, int32_t island, float h)
+{
+	cni_island *i = cni_island_at(world, island);
+	if (i->first == CNI_NONE)
+		return 0;
+	if (i->tier != CNI_TIER_DIRECT) {
+		if (i->reason == CN_TIER_REASON_NO_SET) /* a part of it, or a pass, had none: the others may press by any force */
+			cni_island_limit_impulses(world, i);
+		return 0;
+	}
+	if (!i->awake) {
+		i->tier = CNI_TIER_SOFT;
+		return 0;
+	}
+	if (!takes_contacts(world, island)) { /* it merged with an island with joints */
+		i->tier = CNI_TIER_SOFT;
+		i->reason = CN_TIER_REASON_JOINTED;
+		return 0;
+	}
+	if (i->solver != CN_SOLVER_DIRECT && i->gives_step == world->step_count && i->falls_steps >= CNI_SELECTION_FALL_STEPS) {
+		/* it has moved for so long that no impulses hold it, and an exact solution of its fall is not worth its work */
+		cni_island_refuse(world, island, CN_TIER_REASON_MOVING);
+		return 0;
+	}
+	leaning_island_keep(world, island, h);
+	if (i->solver != CN_SOLVER_SOFT && (i->good_steps++ < cni_max_i(i->stay_steps, CNI_SELECTION_STAY_FIRST) || i->solver == CN_SOLVER_DIRECT)) {
+		i->good_steps = cni_min_i(i->good_steps, CNI_SELECTION_STAY_MAX);
+		i->reason = CN_TIER_REASON_SETTLING;
+		return 1;
+	}
+	island_give_back(world, i);
+	return 0;
+}
+
 static void list_update(cn_world *world, float h)
 {
 	int32_t kept = 0;
-	for (int32_t k = 0; k < world->direct_islands.count; ++k) {
-		int32_t island = direct_list(world)[k];
-		cni_island *i = cni_island_at(world, island);
-		if (i->first == CNI_NONE)
-			continue;
-		if (i->tier != CNI_TIER_DIRECT) {
-			if (i->reason == CN_TIER_REASON_NO_SET) /* a part of it, or a pass, had none: the others may press by any force */
-				cni_island_limit_impulses(world, i);
-			continue;
-		}
-		if (!i->awake) {
-			i->tier = CNI_TIER_SOFT;
-			continue;
-		}
-		if (!takes_contacts(world, island)) { /* it merged with an island with joints */
-			i->tier = CNI_TIER_SOFT;
-			i->reason = CN_TIER_REASON_JOINTED;
-			continue;
-		}
-		if (i->solver != CN_SOLVER_DIRECT && i->gives_step == world->step_count && world->step_count > 0 && i->falls_steps >= CNI_SELECTION_FALL_STEPS) {
-			/* it has moved for so long that no impulses hold it, and an exact solution of its fall is not worth its work */
-			cni_island_refuse(world, island, CN_TIER_REASON_MOVING);
-			continue;
-		}
-		leaning_island_keep(world, island, h);
-		if (i->solver != CN_SOLVER_SOFT && i->good_steps <= CNI_SELECTION_STAY_MAX &&
-		    (i->good_steps++ < cni_max_i(i->stay_steps, CNI_SELECTION_STAY_FIRST) || i->solver == CN_SOLVER_DIRECT)) {
-			i->reason = CN_TIER_REASON_SETTLING;
-			direct_list(world)[kept++] = island;
-			continue;
-		}
-		if (!island_is_still(world, i))
-			loads_clear(world, i);
-		i->tier = CNI_TIER_SOFT;
-		i->reason = i->good_steps > CNI_SELECTION_STAY_MAX ? CN_TIER_REASON_WORK : CN_TIER_REASON_NONE;
-		if (i->solver == CN_SOLVER_SOFT)
-			continue;
-		i->given_step = world->step_count;
-		if (i->reason == CN_TIER_REASON_NONE)
-			i->refused_steps = 0; /* it was solved */
-		i->stay_steps = cni_min_i(CNI_SELECTION_STAY_FACTOR * cni_max_i(i->stay_steps, CNI_SELECTION_STAY_FIRST), CNI_SELECTION_STAY_MAX);
-	}
+	for (int32_t k = 0; k < world->direct_islands.count; ++k)
+		if (island_stays(world, direct_list(world)[k], h))
+			direct_list(world)[kept++] = direct_list(world)[k];
 	world->direct_islands.count = kept;
 }
 
