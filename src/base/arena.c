@@ -47,11 +47,10 @@ void cni_arena_deinit(cni_arena *arena)
 int32_t cni_arena_reserve(cni_arena *arena, uint64_t bytes)
 {
 	uint64_t capacity = cni_memory_rounded(bytes);
-	void *block;
 	if (capacity <= arena->capacity)
 		return 1;
 	CNI_ASSERT(arena->entry_count == 0);
-	block = cni_memory_alloc(arena->memory, capacity);
+	void *block = cni_memory_alloc(arena->memory, capacity);
 	if (block == NULL)
 		return 0;
 	cni_memory_free(arena->memory, arena->block, arena->capacity);
@@ -65,14 +64,12 @@ void *cni_arena_push(cni_arena *arena, uint64_t bytes)
 	/* An empty entry takes 64 bytes too: its pointer must differ from the entry below. */
 	uint64_t taken = cni_memory_rounded(bytes > 0 ? bytes : 1);
 	int32_t fallback = taken > arena->capacity - arena->used;
-	cni_arena_entry *entry;
-	void *pointer;
 	if (arena->entry_count == CNI_ARENA_ENTRIES)
 		return NULL;
-	pointer = fallback ? cni_memory_alloc(arena->memory, taken) : arena->block + arena->used;
+	void *pointer = fallback ? cni_memory_alloc(arena->memory, taken) : arena->block + arena->used;
 	if (pointer == NULL)
 		return NULL;
-	entry = &arena->entries[arena->entry_count++];
+	cni_arena_entry *entry = &arena->entries[arena->entry_count++];
 	entry->pointer = pointer;
 	entry->bytes = (size_t)taken;
 	entry->fallback = fallback;
@@ -88,10 +85,9 @@ void *cni_arena_push(cni_arena *arena, uint64_t bytes)
 
 int32_t cni_arena_pop(cni_arena *arena, void *pointer)
 {
-	int32_t is_last;
 	if (pointer == NULL)
 		return 1;
-	is_last = arena->entry_count > 0 && arena->entries[arena->entry_count - 1].pointer == pointer;
+	int32_t is_last = arena->entry_count > 0 && arena->entries[arena->entry_count - 1].pointer == pointer;
 	CNI_ASSERT(is_last);
 	if (is_last)
 		arena_pop_last(arena);

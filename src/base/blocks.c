@@ -81,8 +81,7 @@ static void table_free(cni_blocks *blocks, cni_chunks *table)
 /* Frees a table and the chunks that the other table does not share. */
 static void table_drop(cni_blocks *blocks, cni_chunks *table, const cni_chunks *other)
 {
-	int32_t k;
-	for (k = 0; k < table->count; ++k)
+	for (int32_t k = 0; k < table->count; ++k)
 		if (table->at[k] != NULL && !(k < other->count && table->at[k] == other->at[k]))
 			cni_memory_free(blocks->memory, table->at[k], table->bytes[k]);
 	table_free(blocks, table);
@@ -186,10 +185,9 @@ void cni_blocks_next_drop(cni_blocks *blocks)
 static cni_ref large_alloc(cni_blocks *blocks, uint64_t bytes)
 {
 	uint64_t taken = cni_memory_rounded(bytes);
-	uint8_t *chunk;
 	if (!slot_reserve(blocks))
 		return 0;
-	chunk = chunk_alloc(blocks, taken);
+	uint8_t *chunk = chunk_alloc(blocks, taken);
 	if (chunk == NULL)
 		return 0;
 	blocks->bytes_large += taken;
@@ -219,8 +217,7 @@ static void free_push(cni_blocks *blocks, int32_t class_index, cni_ref ref)
 
 static void tail_retire(cni_blocks *blocks)
 {
-	int32_t class_index;
-	for (class_index = CNI_BLOCK_CLASSES - 1; class_index >= 0; --class_index) {
+	for (int32_t class_index = CNI_BLOCK_CLASSES - 1; class_index >= 0; --class_index) {
 		while (blocks->tail_units >= class_units[class_index]) {
 			blocks->tail_units -= class_units[class_index];
 			free_push(blocks, class_index, blocks->tail + blocks->tail_units);
@@ -287,14 +284,13 @@ cni_ref cni_blocks_alloc(cni_blocks *blocks, uint64_t bytes)
 
 void cni_blocks_free(cni_blocks *blocks, cni_ref ref, uint64_t bytes)
 {
-	int32_t class_index;
 	if (ref == 0)
 		return;
 	if (bytes > CNI_BLOCK_LARGEST) {
 		large_free(blocks, ref, bytes);
 		return;
 	}
-	class_index = class_fitting(bytes);
+	int32_t class_index = class_fitting(bytes);
 	CNI_ASSERT(blocks->bytes_in_use >= class_bytes(class_index));
 	blocks->bytes_in_use -= class_bytes(class_index);
 	free_push(blocks, class_index, ref);
@@ -303,8 +299,8 @@ void cni_blocks_free(cni_blocks *blocks, cni_ref ref, uint64_t bytes)
 /* Frees the first pieces of the tail, the last one first, so that they are allocated in address order. */
 static void tail_carve(cni_blocks *blocks, int32_t class_index, uint32_t pieces)
 {
-	uint32_t units = class_units[class_index], i;
-	for (i = pieces; i-- > 0;)
+	uint32_t units = class_units[class_index];
+	for (uint32_t i = pieces; i-- > 0;)
 		free_push(blocks, class_index, blocks->tail + i * units);
 	blocks->tail += pieces * units;
 	blocks->tail_units -= pieces * units;
@@ -332,11 +328,11 @@ int32_t cni_blocks_reserve(cni_blocks *blocks, uint64_t bytes, int32_t count)
    0: no memory. */
 static int32_t chunks_of(const cni_pieces *pieces, int32_t kinds, cni_blocks *blocks, uint64_t *bytes)
 {
-	int32_t slots = 1, k;
-	for (k = 0; k < kinds; ++k) {
-		int32_t class_index = class_fitting(pieces[k].bytes), left;
+	int32_t slots = 1;
+	for (int32_t k = 0; k < kinds; ++k) {
+		int32_t class_index = class_fitting(pieces[k].bytes);
 		uint32_t piece = class_bytes(class_index), most = CHUNK_LARGEST_BYTES / piece;
-		for (left = pieces[k].count; left > 0; left -= (int32_t)most) {
+		for (int32_t left = pieces[k].count; left > 0; left -= (int32_t)most) {
 			uint32_t count = (uint32_t)left < most ? (uint32_t)left : most;
 			++slots;
 			*bytes += cni_memory_rounded(count * piece);

@@ -103,8 +103,7 @@ static int32_t index_of(const cni_handles *handles, int32_t slot)
 /* Behind all slots, downwards, from the end again when they are used up; CNI_NONE: there are none. */
 static int32_t alias_behind_slots(cni_handles *handles)
 {
-	int32_t tries;
-	for (tries = handles->aliases.count + 2; tries > 0; --tries) {
+	for (int32_t tries = handles->aliases.count + 2; tries > 0; --tries) {
 		if (handles->alias_next <= handles->slots.count)
 			handles->alias_next = INDEX_COUNT;
 		if (handles->alias_next <= handles->slots.count)
@@ -232,7 +231,6 @@ int32_t cni_handles_find_alias(const cni_handles *handles, uint32_t handle)
 	int32_t slot = (int32_t)(handle & CNI_HANDLE_INDEX_MASK);
 	uint32_t kind = (handle >> CNI_HANDLE_KIND_SHIFT) & 3u;
 	const cni_alias *alias = alias_find(&handles->aliases, 0, slot);
-	uint32_t word;
 	if (kind != (uint32_t)handles->kind)
 		return CNI_NONE;
 	if (alias == NULL && slot < handles->slots.count && cni_handles_alive(handles, slot) && index_of(handles, slot) != slot)
@@ -240,7 +238,7 @@ int32_t cni_handles_find_alias(const cni_handles *handles, uint32_t handle)
 	slot = alias != NULL ? alias->slot : slot;
 	if (slot >= handles->slots.count)
 		return CNI_NONE;
-	word = slots_of(handles)[slot];
+	uint32_t word = slots_of(handles)[slot];
 	return (word & CNI_HANDLE_ALIVE_BIT) && word >> CNI_HANDLE_GENERATION_SHIFT == handle >> CNI_HANDLE_GENERATION_SHIFT ? slot : CNI_NONE;
 }
 
@@ -249,8 +247,7 @@ static int32_t own_find_all(const cni_handles *handles, const uint32_t *list, in
 {
 	const uint32_t *slots = slots_of(handles);
 	uint32_t used = (uint32_t)handles->slots.count, kind = (uint32_t)handles->kind << CNI_HANDLE_KIND_SHIFT, wrong = 0;
-	int32_t k;
-	for (k = 0; k < count; ++k) {
+	for (int32_t k = 0; k < count; ++k) {
 		uint32_t handle = list[k], index = handle & CNI_HANDLE_INDEX_MASK, within = index < used;
 		wrong |= (slots[within ? index : 0] ^ cni_handles_word(handle)) | ((handle ^ kind) & 3u << CNI_HANDLE_KIND_SHIFT) | !within;
 	}
@@ -259,10 +256,9 @@ static int32_t own_find_all(const cni_handles *handles, const uint32_t *list, in
 
 int32_t cni_handles_find_all(const cni_handles *handles, const uint32_t *list, int32_t count)
 {
-	int32_t k;
 	if (handles->aliases.count == 0 && handles->slots.count > 0)
 		return own_find_all(handles, list, count);
-	for (k = 0; k < count; ++k)
+	for (int32_t k = 0; k < count; ++k)
 		if (cni_handles_find(handles, list[k]) == CNI_NONE)
 			return 0;
 	return 1;
@@ -270,9 +266,8 @@ int32_t cni_handles_find_all(const cni_handles *handles, const uint32_t *list, i
 
 uint32_t cni_handles_of(const cni_handles *handles, int32_t slot)
 {
-	uint32_t generation;
 	CNI_ASSERT(cni_handles_alive(handles, slot));
-	generation = slots_of(handles)[slot] >> CNI_HANDLE_GENERATION_SHIFT;
+	uint32_t generation = slots_of(handles)[slot] >> CNI_HANDLE_GENERATION_SHIFT;
 	return generation << CNI_HANDLE_GENERATION_SHIFT | (uint32_t)handles->kind << CNI_HANDLE_KIND_SHIFT | (uint32_t)index_of(handles, slot);
 }
 

@@ -68,20 +68,17 @@ static uint32_t reduce_large(float x, float *rest_rad)
 {
 	const uint64_t quarter = UINT64_C(1) << 62;
 	uint32_t bits = cni_bits_of(x);
-	uint64_t m, low, middle, high, fixed, k;
-	int32_t start;
-	float rest;
-	m = (bits & 0x7FFFFFu) | 0x800000u;
-	start = (int32_t)(bits >> 23 & 255u) - 150 + 30;
+	uint64_t m = (bits & 0x7FFFFFu) | 0x800000u;
+	int32_t start = (int32_t)(bits >> 23 & 255u) - 150 + 30;
 	CNI_ASSERT(start >= 0);
-	low = m * two_over_pi_bits(start + 64);
-	middle = m * two_over_pi_bits(start + 32) + (low >> 32);
-	high = m * two_over_pi_bits(start) + (middle >> 32);
-	fixed = high << 32 | (middle & 0xFFFFFFFFu);
-	k = (fixed + quarter / 2) >> 62;
+	uint64_t low = m * two_over_pi_bits(start + 64);
+	uint64_t middle = m * two_over_pi_bits(start + 32) + (low >> 32);
+	uint64_t high = m * two_over_pi_bits(start) + (middle >> 32);
+	uint64_t fixed = high << 32 | (middle & 0xFFFFFFFFu);
+	uint64_t k = (fixed + quarter / 2) >> 62;
 	fixed -= k << 62;
 	/* 2^-62 pi/2, on the magnitude of the two's complement rest. */
-	rest = float_of(fixed >> 63 ? 0 - fixed : fixed) * 3.40612158e-19f;
+	float rest = float_of(fixed >> 63 ? 0 - fixed : fixed) * 3.40612158e-19f;
 	if (fixed >> 63)
 		rest = -rest;
 	*rest_rad = bits >> 31 ? -rest : rest;
@@ -91,12 +88,10 @@ static uint32_t reduce_large(float x, float *rest_rad)
 /* x = rest + k pi/2 up to whole turns; |rest| <= pi/4 + 5e-4. Returns k modulo 4. */
 static uint32_t reduce_quarter(float x, float *rest_rad)
 {
-	int32_t k;
-	float kf;
 	if (!(cni_abs(x) <= REDUCE_SMALL_MAX_RAD))
 		return reduce_large(x, rest_rad);
-	k = round_near(x * TWO_OVER_PI);
-	kf = (float)k;
+	int32_t k = round_near(x * TWO_OVER_PI);
+	float kf = (float)k;
 	*rest_rad = ((x - kf * QUARTER_A) - kf * QUARTER_B) - kf * QUARTER_C;
 	return (uint32_t)k & 3u;
 }
@@ -104,11 +99,10 @@ static uint32_t reduce_quarter(float x, float *rest_rad)
 cni_rot cni_sincos(float angle_rad)
 {
 	float r, u, s, c;
-	uint32_t quarter;
 	cni_rot q = { 1.0f, angle_rad };
 	if (cni_abs(angle_rad) <= CNI_TINY_RAD)
 		return q;
-	quarter = reduce_quarter(angle_rad, &r);
+	uint32_t quarter = reduce_quarter(angle_rad, &r);
 	u = r * r;
 	s = r + r * u * (CNI_SINE_3 + u * (CNI_SINE_5 + u * CNI_SINE_7));
 	c = 1.0f + (u * u * (CNI_COSINE_4 + u * (CNI_COSINE_6 + u * CNI_COSINE_8)) - 0.5f * u);
@@ -161,14 +155,13 @@ float cni_atan2(float y, float x)
    to first order: 1/sqrt(n) = (3 - n)/2 about n = 1. */
 cni_rot cni_rot_small(float angle_rad)
 {
-	float u, s, c, k;
 	cni_rot q;
 	if (!(cni_abs(angle_rad) <= 1.0f))
 		return cni_sincos(angle_rad);
-	u = angle_rad * angle_rad;
-	s = angle_rad + angle_rad * u * (-0.16665473f + u * 0.0081809414f);
-	c = 1.0f + u * (-0.499886758f + u * 0.0404636746f);
-	k = 1.5f - 0.5f * (c * c + s * s);
+	float u = angle_rad * angle_rad;
+	float s = angle_rad + angle_rad * u * (-0.16665473f + u * 0.0081809414f);
+	float c = 1.0f + u * (-0.499886758f + u * 0.0404636746f);
+	float k = 1.5f - 0.5f * (c * c + s * s);
 	q.c = k * c;
 	q.s = k * s;
 	return q;
@@ -178,13 +171,12 @@ cni_rot cni_rot_small(float angle_rad)
    and both leading parts have 8 bits. */
 static float wrap_near(float a)
 {
-	uint32_t quarter;
 	float k, r;
 	if (cni_abs(a) <= WRAP_SMALL_MAX_RAD) {
 		k = (float)round_near(a * ONE_OVER_TWO_PI);
 		return ((a - k * TURN_A) - k * TURN_B) - k * TURN_C;
 	}
-	quarter = reduce_large(a, &r);
+	uint32_t quarter = reduce_large(a, &r);
 	switch (quarter) {
 	case 1: return HALF_PI + (r - HALF_PI_EXCESS);
 	case 2: return r > 0.0f ? -CNI_PI + (r + PI_EXCESS) : CNI_PI + (r - PI_EXCESS);

@@ -32,14 +32,13 @@ uint64_t cni_memory_rounded(uint64_t bytes)
 static void *heap_alloc(uint64_t bytes, uint32_t align, void *user)
 {
 	uint64_t spare = align - 1 + sizeof(void *);
-	uint8_t *raw, *aligned;
 	(void)user;
 	if (bytes > SIZE_MAX - spare)
 		return NULL;
-	raw = (uint8_t *)malloc((size_t)(bytes + spare));
+	uint8_t *raw = (uint8_t *)malloc((size_t)(bytes + spare));
 	if (raw == NULL)
 		return NULL;
-	aligned = raw + sizeof(void *);
+	uint8_t *aligned = raw + sizeof(void *);
 	aligned += (align - (uintptr_t)aligned % align) % align;
 	((void **)(void *)aligned)[-1] = raw;
 	return aligned;
@@ -85,10 +84,9 @@ void cni_memory_init_block(cni_memory *memory, void *block, uint64_t bytes)
 static void *block_alloc(cni_memory *memory, uint64_t bytes)
 {
 	cni_hole **link = &memory->holes;
-	cni_hole *hole;
 	while (*link != NULL && (*link)->bytes < bytes)
 		link = &(*link)->next;
-	hole = *link;
+	cni_hole *hole = *link;
 	if (hole == NULL)
 		return NULL;
 	if (hole->bytes == bytes) {
@@ -146,10 +144,9 @@ static void *hook_alloc(cni_memory *memory, uint64_t bytes)
 void *cni_memory_alloc(cni_memory *memory, uint64_t bytes)
 {
 	uint64_t taken = memory->fixed ? cni_memory_rounded(bytes) : bytes;
-	void *pointer;
 	CNI_ASSERT(bytes > 0);
 	memory->calls += 1;
-	pointer = memory->fixed ? block_alloc(memory, taken) : hook_alloc(memory, taken);
+	void *pointer = memory->fixed ? block_alloc(memory, taken) : hook_alloc(memory, taken);
 	if (pointer == NULL)
 		return NULL;
 	memory->bytes_in_use += taken;

@@ -58,7 +58,7 @@ void cni_snapshot_array(cni_snapshot *s, cni_array *array)
 
 void cni_snapshot_table(cni_snapshot *s, cni_table *table, int32_t used)
 {
-	int32_t count = cni_snapshot_number(s, used), page_items = 1 << table->page_shift, k;
+	int32_t count = cni_snapshot_number(s, used), page_items = 1 << table->page_shift;
 	uint64_t item_bytes = (uint64_t)table->item_bytes;
 	if (cni_snapshot_reserves(s))
 		cni_snapshot_need(s, cni_table_reserve(table, s->memory, count));
@@ -66,11 +66,11 @@ void cni_snapshot_table(cni_snapshot *s, cni_table *table, int32_t used)
 		pass(s, (uint64_t)count * item_bytes);
 		return;
 	}
-	for (k = 0; k < count; k += page_items) {
+	for (int32_t k = 0; k < count; k += page_items) {
 		int32_t items = count - k < page_items ? count - k : page_items;
 		cni_snapshot_state(s, cni_table_at(table, k), (uint64_t)items * item_bytes);
 	}
-	for (k = count; k < used && s->mode == CNI_SNAPSHOT_LOAD; ++k)
+	for (int32_t k = count; k < used && s->mode == CNI_SNAPSHOT_LOAD; ++k)
 		memset(cni_table_at(table, k), 0, (size_t)item_bytes);
 }
 
@@ -92,9 +92,9 @@ static uint64_t chunk_used(const cni_blocks *blocks, int32_t slot)
 /* Reserves chunks of the sizes that follow in the bytes. */
 static void chunks_reserve(cni_snapshot *s, cni_blocks *blocks, int32_t count)
 {
-	int32_t k, same = count == blocks->chunks.count;
+	int32_t same = count == blocks->chunks.count;
 	uint64_t size;
-	for (k = 0; k < count && same; ++k) {
+	for (int32_t k = 0; k < count && same; ++k) {
 		memcpy(&size, s->at + (size_t)k * 2 * sizeof size, sizeof size);
 		same = size == chunk_size(blocks, k);
 	}
@@ -104,7 +104,7 @@ static void chunks_reserve(cni_snapshot *s, cni_blocks *blocks, int32_t count)
 		s->failed = 1;
 		return;
 	}
-	for (k = 0; k < count && !s->failed; ++k) {
+	for (int32_t k = 0; k < count && !s->failed; ++k) {
 		memcpy(&size, s->at + (size_t)k * 2 * sizeof size, sizeof size);
 		cni_snapshot_need(s, cni_blocks_next_set(blocks, k, size));
 	}
@@ -128,7 +128,7 @@ static void chunk_pass(cni_snapshot *s, cni_blocks *blocks, int32_t slot, uint64
 
 void cni_snapshot_blocks(cni_snapshot *s, cni_blocks *blocks)
 {
-	int32_t count = cni_snapshot_number(s, blocks->chunks.count), k;
+	int32_t count = cni_snapshot_number(s, blocks->chunks.count);
 	uint8_t *entries = s->at;
 	uint64_t used, all = 0;
 	if (cni_snapshot_reserves(s))
@@ -137,13 +137,13 @@ void cni_snapshot_blocks(cni_snapshot *s, cni_blocks *blocks)
 		cni_blocks_next_take(blocks);
 	if (s->mode == CNI_SNAPSHOT_ABANDON)
 		cni_blocks_next_drop(blocks);
-	for (k = 0; k < count; ++k) {
+	for (int32_t k = 0; k < count; ++k) {
 		chunk_pass(s, blocks, k, &used);
 		all += used;
 	}
 	if (!copies(s))
 		pass(s, all);
-	for (k = 0; k < count && copies(s); ++k) {
+	for (int32_t k = 0; k < count && copies(s); ++k) {
 		memcpy(&used, entries + (2 * (size_t)k + 1) * sizeof used, sizeof used);
 		if (blocks->chunks.at[k] != NULL)
 			cni_snapshot_state(s, blocks->chunks.at[k], used);

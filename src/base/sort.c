@@ -38,8 +38,7 @@ static int64_t shift_budget(int32_t count, int32_t has_scratch)
 static uint64_t keys_differing(const uint64_t *keys, int32_t count)
 {
 	uint64_t differing = 0;
-	int32_t i;
-	for (i = 1; i < count; ++i)
+	for (int32_t i = 1; i < count; ++i)
 		differing |= keys[i] ^ keys[0];
 	return differing;
 }
@@ -53,11 +52,10 @@ static int32_t key_digit(uint64_t key, int32_t shift)
 static void digits_locate(const uint64_t *keys, int32_t count, int32_t shift, int32_t first[256])
 {
 	int32_t sum = 0;
-	int32_t i;
 	memset(first, 0, 256 * sizeof *first);
-	for (i = 0; i < count; ++i)
+	for (int32_t i = 0; i < count; ++i)
 		++first[key_digit(keys[i], shift)];
-	for (i = 0; i < 256; ++i) {
+	for (int32_t i = 0; i < 256; ++i) {
 		int32_t digit_count = first[i];
 		first[i] = sum;
 		sum += digit_count;
@@ -68,17 +66,15 @@ void cni_sort_keys(uint64_t *keys, uint64_t *scratch, int32_t count)
 {
 	uint64_t *from = keys, *to = scratch;
 	int32_t first[256];
-	uint64_t differing;
-	int32_t shift, i;
 	if (keys_insert(keys, count, shift_budget(count, scratch != NULL)))
 		return;
-	differing = keys_differing(keys, count);
-	for (shift = 0; shift < 64; shift += 8) {
+	uint64_t differing = keys_differing(keys, count);
+	for (int32_t shift = 0; shift < 64; shift += 8) {
 		uint64_t *swap = to;
 		if (key_digit(differing, shift) == 0)
 			continue;
 		digits_locate(from, count, shift, first);
-		for (i = 0; i < count; ++i)
+		for (int32_t i = 0; i < count; ++i)
 			to[first[key_digit(from[i], shift)]++] = from[i];
 		to = from;
 		from = swap;

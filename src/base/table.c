@@ -60,7 +60,7 @@ int32_t cni_table_grow(cni_table *table, cni_memory *memory, int32_t count)
 {
 	int64_t page_count = table_pages_for(table, count);
 	uint64_t page_bytes = table_page_bytes(table);
-	int32_t before = table->page_count, i;
+	int32_t before = table->page_count;
 	if (page_count << table->page_shift > INT32_MAX || page_count > TABLE_PAGES_MAX || !table_reserve_pointers(table, memory, (int32_t)page_count))
 		return 0;
 	while (table->page_count < page_count) {
@@ -71,7 +71,7 @@ int32_t cni_table_grow(cni_table *table, cni_memory *memory, int32_t count)
 		}
 		table->pages[table->page_count++] = page;
 	}
-	for (i = before; i < page_count; ++i)
+	for (int32_t i = before; i < page_count; ++i)
 		memset(table->pages[i], 0, (size_t)page_bytes);
 	return 1;
 }

@@ -187,10 +187,9 @@ static uint32_t run_take(seat *s)
 static uint32_t others_take(cni_team *team, int32_t worker)
 {
 	uint32_t count = 0;
-	int32_t k;
-	for (k = worker + 1; k < team->worker_count; ++k)
+	for (int32_t k = worker + 1; k < team->worker_count; ++k)
 		count += run_take(&team->seats[k]);
-	for (k = 0; k < worker; ++k)
+	for (int32_t k = 0; k < worker; ++k)
 		count += run_take(&team->seats[k]);
 	return count;
 }
@@ -222,8 +221,7 @@ static void wake_all(cni_team *team) { (void)team; }
 /* Spins for some microseconds while the seat's word is 0. Returns the word. */
 static uint32_t seat_spin(const seat *s)
 {
-	int32_t round;
-	for (round = 0; round < SPIN_ROUNDS; ++round) {
+	for (int32_t round = 0; round < SPIN_ROUNDS; ++round) {
 		uint32_t word = cni_atomic_load(&s->word);
 		if (word != 0)
 			return word;
@@ -235,8 +233,7 @@ static uint32_t seat_spin(const seat *s)
 /* Waits until the seat's word is not 0; returns it. */
 static uint32_t seat_watch(cni_team *team, seat *s)
 {
-	int32_t round;
-	for (round = 0;; ++round) {
+	for (int32_t round = 0;; ++round) {
 		int32_t held = cni_atomic_load(&team->held) != 0;
 		uint32_t word = round == 0 || held ? seat_spin(s) : cni_atomic_load(&s->word);
 		if (word != 0)
@@ -269,8 +266,7 @@ static void help(cni_team *team, int32_t worker)
 static void seats_set(cni_team *team, uint32_t word)
 {
 	uint32_t was = 0;
-	int32_t k;
-	for (k = 0; k < team->worker_count; ++k)
+	for (int32_t k = 0; k < team->worker_count; ++k)
 		was |= cni_atomic_exchange(&team->seats[k].word, word);
 	if (was & ASLEEP)
 		wake_all(team);
@@ -282,8 +278,7 @@ static void seats_set(cni_team *team, uint32_t word)
 static void seats_fill(cni_team *team, const loop *of, int32_t runs)
 {
 	uint32_t was = 0;
-	int32_t k;
-	for (k = runs - 1; k >= 0; --k) {
+	for (int32_t k = runs - 1; k >= 0; --k) {
 		seat *s = &team->seats[k];
 		s->of = *of;
 		s->chunk_end = of->chunk_count * (k + 1) / runs;
@@ -296,11 +291,10 @@ static void seats_fill(cni_team *team, const loop *of, int32_t runs)
 /* The leader's part of a loop. It reads other seats only if `done` shows that chunks are left. */
 static void chunks_finish(cni_team *team, uint32_t count)
 {
-	int32_t round;
 	count -= run_take(&team->seats[0]);
 	if (cni_atomic_load(&team->done) != count)
 		count -= others_take(team, 0);
-	for (round = 0; cni_atomic_load(&team->done) != count; ++round) {
+	for (int32_t round = 0; cni_atomic_load(&team->done) != count; ++round) {
 		if (round < SPIN_ROUNDS)
 			thread_pause();
 		else
@@ -385,7 +379,6 @@ static void join_task(int32_t begin, int32_t end, void *context)
 
 void cni_team_run(cni_team *team, cni_lead_fn *lead, void *context)
 {
-	void *task;
 	if (team == NULL) {
 		lead(context);
 		return;
@@ -399,7 +392,7 @@ void cni_team_run(cni_team *team, cni_lead_fn *lead, void *context)
 	team->lead_context = context;
 	cni_atomic_store(&team->arrived, 0);
 	seats_set(team, 0);
-	task = team->enqueue(join_task, team, team->worker_count - 1, 1, team->user);
+	void *task = team->enqueue(join_task, team, team->worker_count - 1, 1, team->user);
 	team_join(team);
 	if (task != NULL)
 		team->finish(task, team->user);
@@ -438,10 +431,9 @@ static void *thread_main(void *told)
 static int32_t thread_start(thread *t)
 {
 	sigset_t all, before;
-	int32_t good;
 	sigfillset(&all);
 	pthread_sigmask(SIG_SETMASK, &all, &before);
-	good = pthread_create(&t->id, NULL, thread_main, t) == 0;
+	int32_t good = pthread_create(&t->id, NULL, thread_main, t) == 0;
 	pthread_sigmask(SIG_SETMASK, &before, NULL);
 	return good;
 }
@@ -475,9 +467,8 @@ uint64_t cni_team_bytes(int32_t workers)
 
 cni_team *cni_team_create(cni_memory *memory, int32_t workers, cn_enqueue_fn *enqueue, cn_finish_fn *finish, void *user)
 {
-	cni_team *team;
 	CNI_ASSERT(workers >= 2 && workers <= CN_WORKERS_MAX && (enqueue == NULL) == (finish == NULL));
-	team = (cni_team *)cni_memory_alloc(memory, cni_team_bytes(workers));
+	cni_team *team = (cni_team *)cni_memory_alloc(memory, cni_team_bytes(workers));
 	if (team == NULL)
 		return NULL;
 	memset(team, 0, (size_t)cni_team_bytes(workers));

@@ -94,9 +94,8 @@ static inline void cni_team_hold(cni_team *team, int32_t on) { (void)team, (void
 #if CNI_HAS_TEAMS && defined(__GNUC__)
 static inline uint32_t cni_atomic_load(const uint32_t *word)
 {
-	uint32_t value;
 	CNI_WORD_IS_SHARED(word);
-	value = __atomic_load_n(word, __ATOMIC_ACQUIRE);
+	uint32_t value = __atomic_load_n(word, __ATOMIC_ACQUIRE);
 	CNI_WORD_RECEIVES(word);
 	return value;
 }
@@ -107,18 +106,16 @@ static inline void cni_atomic_store(uint32_t *word, uint32_t value)
 }
 static inline uint32_t cni_atomic_exchange(uint32_t *word, uint32_t value)
 {
-	uint32_t was;
 	CNI_WORD_SENDS(word);
-	was = __atomic_exchange_n(word, value, __ATOMIC_ACQ_REL);
+	uint32_t was = __atomic_exchange_n(word, value, __ATOMIC_ACQ_REL);
 	CNI_WORD_RECEIVES(word);
 	return was;
 }
 /* Returns the previous value. */
 static inline uint32_t cni_atomic_add(uint32_t *word, uint32_t value)
 {
-	uint32_t was;
 	CNI_WORD_SENDS(word);
-	was = __atomic_fetch_add(word, value, __ATOMIC_ACQ_REL);
+	uint32_t was = __atomic_fetch_add(word, value, __ATOMIC_ACQ_REL);
 	CNI_WORD_RECEIVES(word);
 	return was;
 }
@@ -126,9 +123,8 @@ static inline uint32_t cni_atomic_add(uint32_t *word, uint32_t value)
    returns 0. */
 static inline int32_t cni_atomic_replace(uint32_t *word, uint32_t *expected, uint32_t value)
 {
-	int32_t done;
 	CNI_WORD_SENDS(word);
-	done = __atomic_compare_exchange_n(word, expected, value, 0, __ATOMIC_ACQ_REL, __ATOMIC_ACQUIRE);
+	int32_t done = __atomic_compare_exchange_n(word, expected, value, 0, __ATOMIC_ACQ_REL, __ATOMIC_ACQUIRE);
 	CNI_WORD_RECEIVES(word);
 	return done;
 }

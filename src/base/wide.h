@@ -82,8 +82,7 @@ CNI_INLINE cni_wide cni_wide_sqrt(cni_wide a)
 #elif CNI_WIDTH == 8 && defined(__AVX__)
 	return (cni_wide)_mm256_sqrt_ps((__m256)a);
 #else
-	int32_t l;
-	for (l = 0; l < CNI_WIDTH; ++l)
+	for (int32_t l = 0; l < CNI_WIDTH; ++l)
 		a[l] = cni_sqrt(a[l]);
 	return a;
 #endif
@@ -97,8 +96,7 @@ CNI_INLINE uint32_t cni_mask_bits(cni_mask mask)
 	return (uint32_t)_mm256_movemask_ps((__m256)mask);
 #else
 	uint32_t bits = 0;
-	int32_t l;
-	for (l = 0; l < CNI_WIDTH; ++l)
+	for (int32_t l = 0; l < CNI_WIDTH; ++l)
 		bits |= ((uint32_t)mask[l] & 1u) << l;
 	return bits;
 #endif
@@ -252,8 +250,7 @@ CNI_INLINE void cni_wide_columns(cni_wide4 r[CNI_WIDTH], cni_wide *a, cni_wide *
 CNI_INLINE void cni_wide_gather4(const float *base, int32_t stride, const int32_t *index, cni_wide *a, cni_wide *b, cni_wide *c, cni_wide *d)
 {
 	cni_wide4 r[CNI_WIDTH];
-	int32_t l;
-	for (l = 0; l < CNI_WIDTH; ++l)
+	for (int32_t l = 0; l < CNI_WIDTH; ++l)
 		r[l] = *(const cni_wide4 *)(const void *)(base + (size_t)index[l] * (size_t)stride);
 	cni_wide_columns(r, a, b, c, d);
 }
@@ -262,8 +259,7 @@ CNI_INLINE void cni_wide_gather4(const float *base, int32_t stride, const int32_
 CNI_INLINE void cni_wide_gather4_from(const float *const *records, int32_t offset, cni_wide *a, cni_wide *b, cni_wide *c, cni_wide *d)
 {
 	cni_wide4 r[CNI_WIDTH];
-	int32_t l;
-	for (l = 0; l < CNI_WIDTH; ++l)
+	for (int32_t l = 0; l < CNI_WIDTH; ++l)
 		r[l] = *(const cni_wide4_loose *)(const void *)(records[l] + offset);
 	cni_wide_columns(r, a, b, c, d);
 }
@@ -294,9 +290,8 @@ CNI_INLINE void cni_wide_rows(cni_wide4 r[CNI_WIDTH], cni_wide a, cni_wide b, cn
 CNI_INLINE void cni_wide_scatter4_where(float *base, int32_t stride, const int32_t *index, uint32_t lanes, cni_wide a, cni_wide b, cni_wide c, cni_wide d)
 {
 	cni_wide4 r[CNI_WIDTH];
-	int32_t l;
 	cni_wide_rows(r, a, b, c, d);
-	for (l = 0; l < CNI_WIDTH; ++l)
+	for (int32_t l = 0; l < CNI_WIDTH; ++l)
 		if (lanes >> l & 1u)
 			*(cni_wide4 *)(void *)(base + (size_t)index[l] * (size_t)stride) = r[l];
 }
@@ -310,9 +305,8 @@ CNI_INLINE void cni_wide_scatter4(float *base, int32_t stride, const int32_t *in
 CNI_INLINE void cni_wide_scatter4_to(float *const *records, int32_t offset, cni_wide a, cni_wide b, cni_wide c, cni_wide d)
 {
 	cni_wide4 r[CNI_WIDTH];
-	int32_t l;
 	cni_wide_rows(r, a, b, c, d);
-	for (l = 0; l < CNI_WIDTH; ++l)
+	for (int32_t l = 0; l < CNI_WIDTH; ++l)
 		*(cni_wide4_loose *)(void *)(records[l] + offset) = r[l];
 }
 

@@ -146,8 +146,7 @@ static void proxy_finish(void *context, int32_t id)
 /* Marks proxies that lost a pair as moved, with an empty old box. Rare, so a scan over all proxies is acceptable. */
 static void retry_lost(tree_broadphase *b)
 {
-	int32_t id;
-	for (id = 0; id < b->tree.places.count; ++id) {
+	for (int32_t id = 0; id < b->tree.places.count; ++id) {
 		if (cni_tree_place(&b->tree, id) == CNI_NONE || !(proxy_at(b, id)->flags & CNI_PROXY_AGAIN))
 			continue;
 		proxy_at(b, id)->flags &= ~(uint32_t)CNI_PROXY_AGAIN;
@@ -201,15 +200,12 @@ static uint64_t tree_bytes_needed(int32_t capacity)
 int32_t cni_broadphase_tree_holds(const cni_broadphase *broadphase)
 {
 	const tree_broadphase *b = const_tree_of(broadphase);
-	int32_t id;
-	for (id = 0; id < b->tree.places.count; ++id) {
+	for (int32_t id = 0; id < b->tree.places.count; ++id) {
 		int32_t place = cni_tree_place(&b->tree, id);
-		const cni_proxy *proxy;
-		int32_t moved;
 		if (place == CNI_NONE)
 			continue;
-		proxy = proxy_at(b, id);
-		moved = (proxy->flags & CNI_PROXY_MOVED) != 0;
+		const cni_proxy *proxy = proxy_at(b, id);
+		int32_t moved = (proxy->flags & CNI_PROXY_MOVED) != 0;
 		if ((proxy->fat.x0 <= proxy->fat.x1 && memcmp(cni_tree_box(&b->tree, place), &proxy->fat, sizeof(cni_aabb)) != 0) || (proxy->flags & CNI_PROXY_AGAIN) ||
 		    moved != ((cni_tree_marks(&b->tree, place) & CNI_TREE_MOVED) != 0) ||
 		    (!moved && memcmp(&proxy->old, &proxy->fat, sizeof(cni_aabb)) != 0))
@@ -230,13 +226,13 @@ static int32_t places_used(const cni_tree *tree)
 static void tree_snapshot(cni_broadphase *broadphase, cni_snapshot *s)
 {
 	cni_tree *tree = &tree_of(broadphase)->tree;
-	int32_t k, places = cni_snapshot_number(s, places_used(tree));
+	int32_t places = cni_snapshot_number(s, places_used(tree));
 	if (cni_snapshot_reserves(s))
 		cni_snapshot_need(s, cni_tree_reserve(tree, s->memory, places, 0));
 	cni_snapshot_state(s, tree->places.data, (uint64_t)places * sizeof(int32_t));
 	cni_snapshot_array(s, &tree->nodes);
 	cni_snapshot_members(s, tree, offsetof(cni_tree, node_free), sizeof *tree);
-	for (k = places; k < tree->places.count && s->mode == CNI_SNAPSHOT_LOAD; ++k)
+	for (int32_t k = places; k < tree->places.count && s->mode == CNI_SNAPSHOT_LOAD; ++k)
 		((int32_t *)tree->places.data)[k] = CNI_NONE;
 }
 

@@ -49,14 +49,13 @@ static uint32_t is_fixed(const cni_broadphase_pairs *pairs, int32_t id, const cn
 int32_t cni_pairs_search_again(cni_broadphase_pairs *pairs, cni_arena *arena, int32_t ids)
 {
 	uint64_t bytes = 2u * sizeof(int32_t) * (uint64_t)ids;
-	int32_t k;
 	if (pairs->mode == CNI_PAIRS_MODE_THIN) {
 		(void)cni_arena_pop(arena, pairs->degrees);
 		pairs->degrees = NULL;
 	}
 	if (pairs->mode == CNI_PAIRS_MODE_COUNT) {
 		pairs->mode = CNI_PAIRS_MODE_THIN;
-		for (k = 0; k < 2 * ids; ++k)
+		for (int32_t k = 0; k < 2 * ids; ++k)
 			pairs->degrees[k] = degree_shift(pairs->degrees[k], k % 2 ? CROWD_DEGREE_FIXED : CROWD_DEGREE);
 		return 1;
 	}
@@ -83,22 +82,20 @@ static uint64_t pair_number(int32_t a, int32_t b, uint32_t seed)
 
 int32_t cni_pairs_crowd_takes(cni_broadphase_pairs *pairs, int32_t a, int32_t b, cni_proxy *pa, cni_proxy *pb)
 {
-	uint32_t fixed_a, fixed_b;
-	int32_t *degree_a, *degree_b, k;
 	if (pairs->mode == CNI_PAIRS_MODE_STOPPED)
 		return 0;
-	fixed_a = is_fixed(pairs, a, pa);
-	fixed_b = is_fixed(pairs, b, pb);
+	uint32_t fixed_a = is_fixed(pairs, a, pa);
+	uint32_t fixed_b = is_fixed(pairs, b, pb);
 	if (fixed_a & fixed_b)
 		return 0;
-	degree_a = &pairs->degrees[2 * a + (int32_t)fixed_b];
-	degree_b = &pairs->degrees[2 * b + (int32_t)fixed_a];
+	int32_t *degree_a = &pairs->degrees[2 * a + (int32_t)fixed_b];
+	int32_t *degree_b = &pairs->degrees[2 * b + (int32_t)fixed_a];
 	if (pairs->mode == CNI_PAIRS_MODE_COUNT) {
 		++*degree_a;
 		++*degree_b;
 		return 0;
 	}
-	k = fixed_b ? *degree_a : fixed_a ? *degree_b : cni_min_i(*degree_a, *degree_b);
+	int32_t k = fixed_b ? *degree_a : fixed_a ? *degree_b : cni_min_i(*degree_a, *degree_b);
 	if (k == 0 || pair_number(cni_min_i(a, b), cni_max_i(a, b), pairs->seed) >> (64 - k) == 0)
 		return 1;
 	(a < b ? pa : pb)->flags |= CNI_PROXY_CROWDED;
@@ -112,11 +109,11 @@ int32_t cni_pairs_crowd_takes(cni_broadphase_pairs *pairs, int32_t a, int32_t b,
 void cni_pairs_cull(cni_broadphase_pairs *pairs)
 {
 	cni_pair *list = (cni_pair *)pairs->list.data;
-	int32_t k, count = pairs->list.count;
+	int32_t count = pairs->list.count;
 	if (pairs->wanted == NULL || pairs->culled)
 		return;
 	pairs->list.count = 0;
-	for (k = 0; k < count; ++k)
+	for (int32_t k = 0; k < count; ++k)
 		if (pairs->wanted(pairs->wanted_context, list[k].a, list[k].b))
 			list[pairs->list.count++] = list[k];
 	pairs->culled = 1;
@@ -128,7 +125,6 @@ static int32_t list_grow(cni_broadphase_pairs *pairs, cni_memory *memory) { retu
 /* A fixed memory block is sized for pairs that become contacts, so there the list is culled before it grows. */
 void cni_pairs_add(cni_broadphase_pairs *pairs, cni_memory *memory, int32_t a, int32_t b, cni_proxy *moved)
 {
-	cni_pair *pair;
 	int32_t may_cull = pairs->wanted != NULL && !pairs->culled;
 	if (may_cull && (pairs->list.count == pairs->limit || (list_is_full(pairs) && (memory->fixed || !list_grow(pairs, memory)))))
 		cni_pairs_cull(pairs);
@@ -144,7 +140,7 @@ void cni_pairs_add(cni_broadphase_pairs *pairs, cni_memory *memory, int32_t a, i
 		++pairs->pairs_lost;
 		return;
 	}
-	pair = (cni_pair *)pairs->list.data + pairs->list.count++;
+	cni_pair *pair = (cni_pair *)pairs->list.data + pairs->list.count++;
 	pair->a = cni_min_i(a, b);
 	pair->b = cni_max_i(a, b);
 }
@@ -153,18 +149,16 @@ void cni_pairs_add(cni_broadphase_pairs *pairs, cni_memory *memory, int32_t a, i
 void cni_pairs_sort(cni_broadphase_pairs *pairs, cni_arena *arena)
 {
 	cni_array *list = &pairs->list;
-	void *scratch;
-	int32_t i;
 	if (list->count < 2)
 		return;
-	scratch = cni_arena_push(arena, (uint64_t)list->count * sizeof(uint64_t));
-	for (i = 0; i < list->count; ++i) {
+	void *scratch = cni_arena_push(arena, (uint64_t)list->count * sizeof(uint64_t));
+	for (int32_t i = 0; i < list->count; ++i) {
 		cni_pair pair = ((const cni_pair *)list->data)[i];
 		uint64_t key = (uint64_t)(uint32_t)pair.a << 32 | (uint32_t)pair.b;
 		memcpy((cni_pair *)list->data + i, &key, sizeof(key));
 	}
 	cni_sort_keys((uint64_t *)list->data, (uint64_t *)scratch, list->count);
-	for (i = 0; i < list->count; ++i) {
+	for (int32_t i = 0; i < list->count; ++i) {
 		cni_pair pair;
 		uint64_t key;
 		memcpy(&key, (const cni_pair *)list->data + i, sizeof(key));

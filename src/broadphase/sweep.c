@@ -226,9 +226,9 @@ static int32_t tile_holds(const cni_sweep *sweep, int32_t tile)
 
 static int32_t tiles_hold(const cni_sweep *sweep, int32_t *entries)
 {
-	int32_t tile, tiles = 0, level_entries = 0, l;
+	int32_t tiles = 0, level_entries = 0;
 	*entries = 0;
-	for (tile = 0; tile < sweep->tiles.count; ++tile) {
+	for (int32_t tile = 0; tile < sweep->tiles.count; ++tile) {
 		const cni_sweep_tile *t = cni_sweep_tile_at(sweep, tile);
 		if (t->level == CNI_SWEEP_FREE)
 			continue;
@@ -237,7 +237,7 @@ static int32_t tiles_hold(const cni_sweep *sweep, int32_t *entries)
 		*entries += t->count;
 		++tiles;
 	}
-	for (l = 0; l < CNI_SWEEP_LEVELS; ++l)
+	for (int32_t l = 0; l < CNI_SWEEP_LEVELS; ++l)
 		level_entries += sweep->levels[l].tiles > 0 ? sweep->levels[l].entries : 0;
 	return tiles == sweep->tile_count && level_entries == *entries;
 }

@@ -176,13 +176,12 @@ static inline cni_sweep_walk cni_sweep_walk_bits(const cni_sweep *sweep, const c
 /* The next id, or CNI_NONE. */
 static inline int32_t cni_sweep_walk_next(cni_sweep_walk *walk)
 {
-	int32_t bit;
 	while (walk->rest == 0) {
 		if (++walk->word >= walk->end)
 			return CNI_NONE;
 		walk->rest = walk->words[walk->word];
 	}
-	bit = cni_bit_lowest64(walk->rest);
+	int32_t bit = cni_bit_lowest64(walk->rest);
 	walk->rest &= walk->rest - 1;
 	return walk->word * 64 + bit;
 }

@@ -26,8 +26,7 @@ CNI_INLINE cni_mask lanes_overlap(const cni_sweep_rows *rows, int32_t k, const c
 CNI_INLINE uint32_t lanes_new(const cni_sweep_probe *q, const cni_sweep_view *v, int32_t k)
 {
 	uint32_t bits = 0;
-	int32_t l;
-	for (l = 0; l < CNI_SWEEP_LANES; l += CNI_WIDTH)
+	for (int32_t l = 0; l < CNI_SWEEP_LANES; l += CNI_WIDTH)
 		bits |= cni_mask_bits(lanes_overlap(&v->now, k + l, &q->now) & ~lanes_overlap(&v->old, k + l, &q->old)) << l;
 	return bits;
 }

@@ -6,7 +6,6 @@
 
 #if CNI_HAS_WIDE_8
 /* Headers with inline functions come first, so that only this file's code is compiled for AVX2. */
-#include "broadphase/sweep.h"
 #include <immintrin.h>
 #include "base/avx2_begin.h"
 #define CNI_WIDTH 8

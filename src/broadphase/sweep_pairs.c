@@ -60,8 +60,7 @@ static int32_t all_are_new(const cni_sweep *sweep, const cni_sweep_tile *tile)
 /* Marks dense tiles and moves them to the front of `touched`. */
 static void choose_dense(cni_sweep_pass *pass)
 {
-	int32_t i;
-	for (i = 0; i < pass->touched_count; ++i) {
+	for (int32_t i = 0; i < pass->touched_count; ++i) {
 		int32_t index = pass->touched[i];
 		cni_sweep_tile *tile = cni_sweep_tile_at(pass->sweep, index);
 		if (!cni_sweep_many_touched(tile))
@@ -82,8 +81,7 @@ static void choose_dense(cni_sweep_pass *pass)
 
 static void forget_dense(cni_sweep_pass *pass)
 {
-	int32_t i;
-	for (i = 0; i < pass->dense_count; ++i) {
+	for (int32_t i = 0; i < pass->dense_count; ++i) {
 		cni_sweep_tile *tile = cni_sweep_tile_at(pass->sweep, pass->touched[i]);
 		tile->dense = 0;
 		pass->single_count += tile->touched;
@@ -96,10 +94,9 @@ static void gather_previous(const cni_sweep_pass *pass, int32_t dense)
 {
 	const cni_sweep_tile *tile = cni_sweep_tile_at(pass->sweep, pass->touched[dense]);
 	cni_sweep_rows rows = cni_sweep_rows_of(pass->sweep, tile), olds = cni_sweep_old_boxes(pass, tile);
-	int32_t k;
 	if (tile->previous == CNI_NONE)
 		return;
-	for (k = 0; k < tile->count; ++k)
+	for (int32_t k = 0; k < tile->count; ++k)
 		cni_sweep_box_set(&olds, k, &cni_sweep_proxy(pass->sweep, rows.id[k])->old);
 }
 
@@ -107,11 +104,10 @@ static void gather_previous(const cni_sweep_pass *pass, int32_t dense)
 static void open_dense(cni_sweep_pass *pass)
 {
 	uint64_t floats = 4 * (uint64_t)pass->dense_entries + 2 * (uint64_t)pass->new_entries;
-	int32_t i;
 	pass->scratch = (float *)cni_arena_push(pass->sweep->context.arena, sizeof(float) * floats);
 	if (pass->scratch == NULL)
 		forget_dense(pass);
-	for (i = 0; i < pass->new_entries && pass->scratch != NULL; ++i) {
+	for (int32_t i = 0; i < pass->new_entries && pass->scratch != NULL; ++i) {
 		pass->scratch[i] = INFINITY;
 		pass->scratch[pass->new_entries + i] = -INFINITY;
 	}
@@ -130,17 +126,15 @@ static int32_t next_single(const cni_sweep_pass *pass, cni_sweep_walk *walk)
 static void search_entries(cni_sweep_pass *pass)
 {
 	cni_sweep_walk walk = cni_sweep_walk_bits(pass->sweep, &pass->sweep->moved, pass->sweep->moved_count);
-	int32_t k;
-	for (k = 0; k < pass->single_count; ++k)
+	for (int32_t k = 0; k < pass->single_count; ++k)
 		cni_sweep_search_entry(pass, next_single(pass, &walk));
 }
 
 static void find_alone(cni_sweep_pass *pass)
 {
-	int32_t i;
-	for (i = 0; i < pass->dense_count; ++i)
+	for (int32_t i = 0; i < pass->dense_count; ++i)
 		gather_previous(pass, i);
-	for (i = 0; i < pass->dense_count; ++i)
+	for (int32_t i = 0; i < pass->dense_count; ++i)
 		cni_sweep_search_tile(pass, pass->touched[i]);
 	search_entries(pass);
 }
@@ -219,14 +213,13 @@ static void find_lead(void *context)
 /* Adds the jobs' pairs to the list, in the order of the jobs. */
 static void jobs_list(const pair_loop *loop, cni_sweep_pass *pass)
 {
-	int32_t job, k;
-	for (job = 0; job < loop->job_count; ++job) {
+	for (int32_t job = 0; job < loop->job_count; ++job) {
 		cni_pair *slots;
 		if (loop->found[job] > job_room(loop, job, &slots)) {
 			job_run(loop, job, pass);
 			continue;
 		}
-		for (k = 0; k < loop->found[job]; ++k)
+		for (int32_t k = 0; k < loop->found[job]; ++k)
 			cni_sweep_pair_list(pass, slots[k].a, slots[k].b);
 	}
 }
@@ -246,8 +239,8 @@ static void jobs_fill(const pair_loop *loop, const cni_sweep_pass *pass)
 
 static int32_t entries_to_do(const cni_sweep_pass *pass)
 {
-	int32_t i, entries = SINGLE_ENTRIES * pass->single_count;
-	for (i = 0; i < pass->dense_count; ++i)
+	int32_t entries = SINGLE_ENTRIES * pass->single_count;
+	for (int32_t i = 0; i < pass->dense_count; ++i)
 		entries += cni_sweep_tile_at(pass->sweep, pass->touched[i])->count;
 	return entries;
 }
@@ -286,8 +279,8 @@ static int32_t find_shared(cni_sweep_pass *pass)
 /* Clears the marks of the pass; no tile has moved in the array since they were set. */
 static void clear_marks(const cni_sweep_pass *pass)
 {
-	int32_t i, count = pass->touched != NULL ? pass->touched_count : pass->sweep->tiles.count;
-	for (i = 0; i < count; ++i) {
+	int32_t count = pass->touched != NULL ? pass->touched_count : pass->sweep->tiles.count;
+	for (int32_t i = 0; i < count; ++i) {
 		cni_sweep_tile *tile = cni_sweep_tile_at(pass->sweep, pass->touched != NULL ? pass->touched[i] : i);
 		tile->touched = 0;
 		tile->dense = 0;

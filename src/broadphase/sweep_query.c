@@ -29,8 +29,7 @@ typedef struct region {
 static uint32_t group_overlaps(const region *r, const cni_sweep_rows *rows, int32_t k)
 {
 	uint32_t bits = 0;
-	int32_t l;
-	for (l = 0; l < CNI_SWEEP_LANES; l += CNI_WIDTH)
+	for (int32_t l = 0; l < CNI_SWEEP_LANES; l += CNI_WIDTH)
 		bits |= cni_mask_bits(lanes_overlap(rows, k + l, &r->box)) << l;
 	return bits;
 }
@@ -45,9 +44,9 @@ static int32_t query_entry(const region *r, int32_t id)
 static int32_t query_groups(const region *r, const cni_sweep_tile *tile, const cni_sweep_rows *rows, int32_t from)
 {
 	int32_t k = from & ~(CNI_SWEEP_LANES - 1);
-	uint32_t bits, wanted = ~0u << (from - k);
+	uint32_t wanted = ~0u << (from - k);
 	for (; k < tile->count && rows->x0[k] <= r->box.x1; k += CNI_SWEEP_LANES) {
-		for (bits = group_overlaps(r, rows, k) & wanted; bits != 0; bits &= bits - 1) {
+		for (uint32_t bits = group_overlaps(r, rows, k) & wanted; bits != 0; bits &= bits - 1) {
 			int32_t i = k + cni_bit_lowest32(bits);
 			if (i < tile->count && !query_entry(r, rows->id[i]))
 				return 0;
@@ -152,13 +151,12 @@ static int32_t ray_row(ray_pass *r, int32_t l, int32_t ty, const cni_sweep_cells
 	const cni_sweep_level *level = &r->sweep->levels[l];
 	float height = 2.0f * level->size;
 	float x0 = r->ray.box.x0, x1 = r->ray.box.x1;
-	int32_t i, tx0, tx1;
 	if (level->per_height > 0.0f && ty > -1000000000 && ty < 1000000000 &&
 	    !ray_stretch(&r->ray, (float)ty * height, (float)(ty + 1) * height + level->reach, &x0, &x1))
 		return 1;
-	tx0 = cni_max_i(cells->tx0, cni_sweep_cell_x(level, level->per_width > 0.0f ? x0 - level->reach : x0));
-	tx1 = cni_min_i(cells->tx1, cni_sweep_cell_x(level, x1));
-	for (i = 0; i <= tx1 - tx0; ++i) {
+	int32_t tx0 = cni_max_i(cells->tx0, cni_sweep_cell_x(level, level->per_width > 0.0f ? x0 - level->reach : x0));
+	int32_t tx1 = cni_min_i(cells->tx1, cni_sweep_cell_x(level, x1));
+	for (int32_t i = 0; i <= tx1 - tx0; ++i) {
 		int32_t tile = cni_sweep_tile_find(r->sweep, l, r->ray.d.x < 0.0f ? tx1 - i : tx0 + i, ty);
 		if (tile != CNI_NONE && cni_ray_crosses(&r->ray, &cni_sweep_tile_at(r->sweep, tile)->bounds) &&
 		    !ray_tile(r, cni_sweep_tile_at(r->sweep, tile), x0, x1))
@@ -170,8 +168,7 @@ static int32_t ray_row(ray_pass *r, int32_t l, int32_t ty, const cni_sweep_cells
 /* Visits all tiles of a level: for rays that would look up more cells than there are tiles. */
 static int32_t ray_all_tiles(ray_pass *r, int32_t l)
 {
-	int32_t i;
-	for (i = 0; i < r->sweep->tiles.count; ++i) {
+	for (int32_t i = 0; i < r->sweep->tiles.count; ++i) {
 		const cni_sweep_tile *tile = cni_sweep_tile_at(r->sweep, i);
 		if (tile->level == l && cni_ray_crosses(&r->ray, &tile->bounds) && !ray_tile(r, tile, r->ray.box.x0, r->ray.box.x1))
 			return 0;
@@ -182,13 +179,12 @@ static int32_t ray_all_tiles(ray_pass *r, int32_t l)
 static int32_t ray_level(ray_pass *r, int32_t l)
 {
 	cni_sweep_cells cells;
-	int32_t i, rows;
 	if (!(r->sweep->level_mask >> l & 1u) || !cni_sweep_cells_of(&r->sweep->levels[l], &r->ray.box, &cells))
 		return 1;
 	if ((int64_t)cells.tx1 - cells.tx0 + 3 * ((int64_t)cells.ty1 - cells.ty0 + 1) > (int64_t)r->sweep->tiles.count + 8)
 		return ray_all_tiles(r, l);
-	rows = cells.ty1 - cells.ty0 + 1;
-	for (i = 0; i < rows; ++i)
+	int32_t rows = cells.ty1 - cells.ty0 + 1;
+	for (int32_t i = 0; i < rows; ++i)
 		if (!ray_row(r, l, r->ray.d.y < 0.0f ? cells.ty1 - i : cells.ty0 + i, &cells))
 			return 0;
 	return 1;
@@ -206,8 +202,7 @@ static void ray_loose(ray_pass *r)
 void cni_sweep_ray(const cni_broadphase *broadphase, cni_vec2 origin, cni_vec2 translation, cni_query_fn *visit, void *context)
 {
 	ray_pass r = { cni_sweep_of(broadphase), cni_ray_make(origin, translation), visit, context };
-	int32_t l;
-	for (l = CNI_SWEEP_LEVELS - 1; l >= 0; --l)
+	for (int32_t l = CNI_SWEEP_LEVELS - 1; l >= 0; --l)
 		if (!ray_level(&r, l))
 			return;
 	ray_loose(&r);

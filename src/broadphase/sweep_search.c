@@ -115,12 +115,10 @@ static int32_t scan_begin(const cni_sweep_view *v, float x0) { return cni_sweep_
 
 static void sweep_self(cni_sweep_pass *pass, const cni_sweep_view *v)
 {
-	int32_t i;
-	for (i = 0; i + 1 < v->count; ++i) {
-		cni_sweep_probe q;
+	for (int32_t i = 0; i + 1 < v->count; ++i) {
 		if (v->now.x0[i + 1] > v->now.x1[i])
 			continue;
-		q = probe_of(v, i);
+		cni_sweep_probe q = probe_of(v, i);
 		scan(pass, &q, v, i + 1);
 	}
 }
@@ -128,10 +126,9 @@ static void sweep_self(cni_sweep_pass *pass, const cni_sweep_view *v)
 /* Tests each entry of the outer tile against the entries of the inner tile whose x range may overlap it. */
 static void sweep_two(cni_sweep_pass *pass, const cni_sweep_view *outer, const cni_sweep_view *inner, const cni_aabb *inner_bounds)
 {
-	int32_t i, low = 0;
-	for (i = 0; i < outer->count && outer->now.x0[i] <= inner_bounds->x1; ++i) {
+	int32_t low = 0;
+	for (int32_t i = 0; i < outer->count && outer->now.x0[i] <= inner_bounds->x1; ++i) {
 		float from = outer->now.x0[i] - inner->reach;
-		cni_sweep_probe q;
 		if ((outer->now.x1[i] < inner_bounds->x0) | (outer->now.y1[i] < inner_bounds->y0) | (outer->now.y0[i] > inner_bounds->y1))
 			continue;
 		while (low < inner->count && inner->now.x0[low] < from)
@@ -140,7 +137,7 @@ static void sweep_two(cni_sweep_pass *pass, const cni_sweep_view *outer, const c
 			return;
 		if (inner->now.x0[low] > outer->now.x1[i])
 			continue;
-		q = probe_of(outer, i);
+		cni_sweep_probe q = probe_of(outer, i);
 		scan(pass, &q, inner, low);
 	}
 }
@@ -166,10 +163,9 @@ void cni_sweep_search_tile(cni_sweep_pass *pass, int32_t tile)
 	cni_sweep_cursor_start(sweep, &cursor, &a->bounds);
 	while ((other = cni_sweep_cursor_next(sweep, &cursor)) != CNI_NONE) {
 		const cni_sweep_tile *b = cni_sweep_tile_at(sweep, other);
-		cni_sweep_view other_view;
 		if (other == tile || !owns(sweep, tile, other))
 			continue;
-		other_view = view_of(pass, b);
+		cni_sweep_view other_view = view_of(pass, b);
 		if (b->count < a->count)
 			sweep_two(pass, &other_view, &view, &a->bounds);
 		else
@@ -183,8 +179,7 @@ void cni_sweep_search_tile(cni_sweep_pass *pass, int32_t tile)
 static void search_touched(cni_sweep_pass *pass, const cni_sweep_probe *q, const cni_sweep_view *v)
 {
 	const cni_proxy *proxy = cni_sweep_proxy(pass->sweep, q->id);
-	int32_t k;
-	for (k = scan_begin(v, q->now.x0); k < v->count && v->now.x0[k] <= q->now.x1; ++k) {
+	for (int32_t k = scan_begin(v, q->now.x0); k < v->count && v->now.x0[k] <= q->now.x1; ++k) {
 		int32_t id = v->now.id[k];
 		if (!((v->now.x1[k] >= q->now.x0) & (v->now.y0[k] <= q->now.y1) & (v->now.y1[k] >= q->now.y0)) || id == q->id)
 			continue;
@@ -227,12 +222,12 @@ static void search_one_loose(cni_sweep_pass *pass, int32_t id, cni_sweep_walk ot
 {
 	const cni_sweep *sweep = pass->sweep;
 	cni_sweep_cursor cursor;
-	int32_t tile, other, k;
+	int32_t tile, other;
 	cni_sweep_cursor_start(sweep, &cursor, &cni_sweep_proxy(sweep, id)->fat);
 	while ((tile = cni_sweep_cursor_next(sweep, &cursor)) != CNI_NONE) {
 		const cni_sweep_tile *t = cni_sweep_tile_at(sweep, tile);
 		cni_sweep_rows rows = cni_sweep_rows_of(sweep, t);
-		for (k = 0; k < t->count; ++k)
+		for (int32_t k = 0; k < t->count; ++k)
 			loose_candidate(pass, id, rows.id[k]);
 	}
 	while ((other = cni_sweep_walk_next(&others)) != CNI_NONE)

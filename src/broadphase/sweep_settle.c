@@ -39,9 +39,8 @@
 /* Every proxy is loose afterwards, and there are no tiles; the levels are still those of the old ones. */
 static void drop_tiles(cni_sweep *sweep)
 {
-	int32_t tile, k;
-	for (tile = 0; tile < sweep->tiles.count; ++tile)
-		for (k = 0; k < cni_sweep_tile_at(sweep, tile)->count; ++k) {
+	for (int32_t tile = 0; tile < sweep->tiles.count; ++tile)
+		for (int32_t k = 0; k < cni_sweep_tile_at(sweep, tile)->count; ++k) {
 			int32_t id = cni_sweep_rows_of(sweep, cni_sweep_tile_at(sweep, tile)).id[k];
 			cni_sweep_proxy(sweep, id)->cell = CNI_NONE;
 			cni_sweep_mark(cni_sweep_loose(sweep), id, &sweep->loose_count);
@@ -89,11 +88,11 @@ static int32_t measure_exponent(const cni_sweep *sweep)
 {
 	extent_counts counts;
 	cni_sweep_walk walk = cni_sweep_walk_bits(sweep, &sweep->loose, sweep->loose_count);
-	int32_t tile, id, k;
+	int32_t id;
 	memset(&counts, 0, sizeof(counts));
-	for (tile = 0; tile < sweep->tiles.count; ++tile) {
+	for (int32_t tile = 0; tile < sweep->tiles.count; ++tile) {
 		const cni_sweep_tile *t = cni_sweep_tile_at(sweep, tile);
-		for (k = 0; k < t->count; ++k)
+		for (int32_t k = 0; k < t->count; ++k)
 			extent_count(&counts, cni_sweep_proxy(sweep, cni_sweep_rows_of(sweep, t).id[k]));
 	}
 	while ((id = cni_sweep_walk_next(&walk)) != CNI_NONE)
@@ -124,7 +123,6 @@ static void tune(cni_sweep *sweep)
 {
 	int32_t changed = population_changed(sweep);
 	int32_t advice = 0;
-	int32_t exponent;
 	if (changed || sweep->settles >= sweep->patience)
 		advice = fill_advice(sweep, changed ? FILL_HIGH_ANEW : FILL_HIGH);
 	++sweep->settles;
@@ -135,7 +133,7 @@ static void tune(cni_sweep *sweep)
 	sweep->tuned_count = sweep->count;
 	sweep->adds = 0;
 	sweep->settles = 0;
-	exponent = measure_exponent(sweep) + 1 + sweep->boost;
+	int32_t exponent = measure_exponent(sweep) + 1 + sweep->boost;
 	if (exponent == sweep->exponent)
 		return;
 	drop_tiles(sweep);
@@ -254,9 +252,9 @@ static void homes_range(void *context, int32_t begin, int32_t end)
 {
 	const settle_pass *pass = (const settle_pass *)context;
 	cni_sweep_walk walk = cni_sweep_walk_bits(pass->sweep, &pass->sweep->loose, pass->sweep->loose_count);
-	int32_t id, w, i = 0;
+	int32_t id, i = 0;
 	cell at;
-	for (w = 0; w < begin; ++w)
+	for (int32_t w = 0; w < begin; ++w)
 		i += cni_bit_count64(walk.words[w]);
 	walk.word = begin - 1;
 	walk.end = end;
@@ -286,8 +284,7 @@ static void find_homes(settle_pass *pass)
 /* Decides which tiles are rebuilt. */
 static void choose_dense(const settle_pass *pass)
 {
-	int32_t i;
-	for (i = 0; i < pass->touched_count; ++i) {
+	for (int32_t i = 0; i < pass->touched_count; ++i) {
 		cni_sweep_tile *tile = cni_sweep_tile_at(pass->sweep, pass->touched[i]);
 		tile->dense = (uint8_t)cni_sweep_many_touched(tile);
 	}
@@ -312,8 +309,7 @@ static void migrate(const settle_pass *pass)
 static int32_t collect_keys(const cni_sweep *sweep, int32_t tile, const int32_t *ids, uint64_t *keys)
 {
 	int32_t count = 0;
-	int32_t k;
-	for (k = 0; k < cni_sweep_tile_at(sweep, tile)->count; ++k) {
+	for (int32_t k = 0; k < cni_sweep_tile_at(sweep, tile)->count; ++k) {
 		const cni_proxy *proxy = cni_sweep_proxy(sweep, ids[k]);
 		keys[count] = (uint64_t)cni_sort_float_key(proxy->fat.x0) << 32 | (uint32_t)ids[k];
 		count += proxy->cell == tile;
@@ -326,18 +322,15 @@ static int32_t collect_keys(const cni_sweep *sweep, int32_t tile, const int32_t 
 static float rebuild(const cni_sweep *sweep, int32_t tile)
 {
 	cni_sweep_tile *t = cni_sweep_tile_at(sweep, tile);
-	cni_sweep_rows rows;
-	uint64_t *keys;
-	int32_t k;
 	if (t->count == 0)
 		return 0.0f;
-	rows = cni_sweep_rows_of(sweep, t);
-	keys = (uint64_t *)(void *)rows.x0;
+	cni_sweep_rows rows = cni_sweep_rows_of(sweep, t);
+	uint64_t *keys = (uint64_t *)(void *)rows.x0;
 	t->count = collect_keys(sweep, tile, rows.id, keys);
 	cni_sort_keys(keys, keys + t->capacity, t->count);
-	for (k = 0; k < t->count; ++k)
+	for (int32_t k = 0; k < t->count; ++k)
 		rows.id[k] = (int32_t)(uint32_t)keys[k];
-	for (k = 0; k < t->count; ++k)
+	for (int32_t k = 0; k < t->count; ++k)
 		cni_sweep_box_set(&rows, k, &cni_sweep_proxy(sweep, rows.id[k])->fat);
 	cni_sweep_tile_pad(sweep, t);
 	return cni_sweep_tile_measure(sweep, t);
@@ -347,8 +340,7 @@ static float rebuild(const cni_sweep *sweep, int32_t tile)
 static void rebuild_range(void *context, int32_t begin, int32_t end)
 {
 	const settle_pass *pass = (const settle_pass *)context;
-	int32_t i;
-	for (i = begin; i < end; ++i)
+	for (int32_t i = begin; i < end; ++i)
 		if (cni_sweep_tile_at(pass->sweep, pass->touched[i])->dense)
 			pass->extents[i] = rebuild(pass->sweep, pass->touched[i]);
 }
@@ -356,9 +348,8 @@ static void rebuild_range(void *context, int32_t begin, int32_t end)
 static void finish_tiles(settle_pass *pass)
 {
 	cni_sweep *sweep = pass->sweep;
-	int32_t i;
 	cni_team_for(pass->team, pass->touched_count, RANGE_TILES, rebuild_range, pass);
-	for (i = 0; i < pass->touched_count; ++i) {
+	for (int32_t i = 0; i < pass->touched_count; ++i) {
 		int32_t tile = pass->touched[i];
 		cni_sweep_tile *t = cni_sweep_tile_at(sweep, tile);
 		if (t->dense) {

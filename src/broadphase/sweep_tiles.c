@@ -18,13 +18,12 @@
 void cni_sweep_set_levels(cni_sweep *sweep, int32_t exponent)
 {
 	float size = 1.0f;
-	int32_t i;
-	for (i = 0; i < exponent; ++i)
+	for (int32_t i = 0; i < exponent; ++i)
 		size *= 2.0f;
-	for (i = 0; i > exponent; --i)
+	for (int32_t i = 0; i > exponent; --i)
 		size *= 0.5f;
 	sweep->exponent = exponent;
-	for (i = 0; i < CNI_SWEEP_LEVELS; ++i, size *= 4.0f) {
+	for (int32_t i = 0; i < CNI_SWEEP_LEVELS; ++i, size *= 4.0f) {
 		cni_sweep_level *level = &sweep->levels[i];
 		int32_t last = i == CNI_SWEEP_LEVELS - 1;
 		memset(level, 0, sizeof(*level));
@@ -68,10 +67,9 @@ static inline uint32_t cell_hash(int32_t level, int32_t tx, int32_t ty)
 int32_t cni_sweep_tile_find(const cni_sweep *sweep, int32_t level, int32_t tx, int32_t ty)
 {
 	uint32_t mask = (uint32_t)sweep->slot_capacity - 1u;
-	uint32_t i;
 	if (sweep->slot_capacity == 0)
 		return CNI_NONE;
-	for (i = cell_hash(level, tx, ty) & mask; sweep->slots[i] != 0; i = (i + 1u) & mask) {
+	for (uint32_t i = cell_hash(level, tx, ty) & mask; sweep->slots[i] != 0; i = (i + 1u) & mask) {
 		const cni_sweep_tile *tile = cni_sweep_tile_at(sweep, sweep->slots[i] - 1);
 		if (tile->tx == tx && tile->ty == ty && tile->level == level)
 			return sweep->slots[i] - 1;
@@ -94,10 +92,9 @@ static void slot_take(cni_sweep *sweep, int32_t tile)
 	const cni_sweep_tile *t = cni_sweep_tile_at(sweep, tile);
 	uint32_t mask = (uint32_t)sweep->slot_capacity - 1u;
 	uint32_t hole = cell_hash(t->level, t->tx, t->ty) & mask;
-	uint32_t i;
 	while (sweep->slots[hole] != tile + 1)
 		hole = (hole + 1u) & mask;
-	for (i = (hole + 1u) & mask; sweep->slots[i] != 0; i = (i + 1u) & mask) {
+	for (uint32_t i = (hole + 1u) & mask; sweep->slots[i] != 0; i = (i + 1u) & mask) {
 		const cni_sweep_tile *other = cni_sweep_tile_at(sweep, sweep->slots[i] - 1);
 		uint32_t home = cell_hash(other->level, other->tx, other->ty) & mask;
 		if (((i - home) & mask) >= ((i - hole) & mask)) {
@@ -112,12 +109,11 @@ static void slot_take(cni_sweep *sweep, int32_t tile)
 int32_t cni_sweep_slots_reserve(cni_sweep *sweep, int32_t count)
 {
 	int32_t capacity = cni_max_i(sweep->slot_capacity, 8);
-	int32_t *slots;
 	while (capacity / 2 < count)
 		capacity *= 2;
 	if (capacity == sweep->slot_capacity)
 		return 1;
-	slots = (int32_t *)cni_memory_alloc(sweep->context.memory, (uint64_t)capacity * sizeof(int32_t));
+	int32_t *slots = (int32_t *)cni_memory_alloc(sweep->context.memory, (uint64_t)capacity * sizeof(int32_t));
 	if (slots == NULL)
 		return count <= sweep->slot_capacity / 8 * 7;
 	cni_memory_free(sweep->context.memory, sweep->slots, (uint64_t)sweep->slot_capacity * sizeof(int32_t));
@@ -129,10 +125,9 @@ int32_t cni_sweep_slots_reserve(cni_sweep *sweep, int32_t count)
 
 void cni_sweep_slots_fill(cni_sweep *sweep)
 {
-	int32_t tile;
 	if (sweep->slot_capacity > 0)
 		memset(sweep->slots, 0, (size_t)sweep->slot_capacity * sizeof(int32_t));
-	for (tile = 0; tile < sweep->tiles.count; ++tile)
+	for (int32_t tile = 0; tile < sweep->tiles.count; ++tile)
 		if (cni_sweep_tile_at(sweep, tile)->level != CNI_SWEEP_FREE)
 			slot_put(sweep, tile);
 }
@@ -166,11 +161,10 @@ static int32_t tile_take(cni_sweep *sweep)
 int32_t cni_sweep_tile_make(cni_sweep *sweep, int32_t level, int32_t tx, int32_t ty)
 {
 	int32_t tile;
-	cni_sweep_tile *t;
 	CNI_ASSERT(cni_sweep_tile_find(sweep, level, tx, ty) == CNI_NONE);
 	if (!cni_sweep_slots_reserve(sweep, sweep->tile_count + 1) || (tile = tile_take(sweep)) == CNI_NONE)
 		return CNI_NONE;
-	t = cni_sweep_tile_at(sweep, tile);
+	cni_sweep_tile *t = cni_sweep_tile_at(sweep, tile);
 	memset(t, 0, sizeof(*t));
 	t->tx = tx;
 	t->ty = ty;
@@ -210,8 +204,7 @@ void cni_sweep_tile_destroy(cni_sweep *sweep, int32_t tile)
 static int32_t capacity_for(int32_t count)
 {
 	static const int32_t steps[] = { 2, 4, 8, 16, 24, 32, 48, 72, 96, 200 };
-	int32_t i;
-	for (i = 0; i < (int32_t)(sizeof(steps) / sizeof(steps[0])); ++i)
+	for (int32_t i = 0; i < (int32_t)(sizeof(steps) / sizeof(steps[0])); ++i)
 		if (count <= steps[i])
 			return steps[i];
 	return (count + count / 4 + 7) & ~7;
@@ -271,10 +264,9 @@ float cni_sweep_tile_measure(const cni_sweep *sweep, cni_sweep_tile *tile)
 	cni_sweep_rows rows = cni_sweep_rows_of(sweep, tile);
 	cni_aabb bounds = cni_no_box();
 	float width = 0.0f, height = 0.0f;
-	int32_t k;
 	if (tile->count > 0)
 		bounds.x0 = rows.x0[0];
-	for (k = 0; k < tile->count; ++k) {
+	for (int32_t k = 0; k < tile->count; ++k) {
 		bounds.x1 = cni_max(bounds.x1, rows.x1[k]);
 		bounds.y0 = cni_min(bounds.y0, rows.y0[k]);
 		bounds.y1 = cni_max(bounds.y1, rows.y1[k]);
@@ -305,8 +297,7 @@ void cni_sweep_tile_pad(const cni_sweep *sweep, cni_sweep_tile *tile)
 {
 	float *x0 = cni_sweep_rows_of(sweep, tile).x0;
 	int32_t end = cni_min_i((tile->count + CNI_SWEEP_LANES - 1) & ~(CNI_SWEEP_LANES - 1), tile->capacity);
-	int32_t k;
-	for (k = tile->count; k < end; ++k)
+	for (int32_t k = tile->count; k < end; ++k)
 		x0[k] = INFINITY;
 }
 
@@ -338,12 +329,10 @@ static int32_t entry_find(const cni_sweep *sweep, const cni_sweep_tile *tile, in
 
 int32_t cni_sweep_entry_insert(cni_sweep *sweep, cni_sweep_tile *tile, int32_t id, const cni_aabb *box)
 {
-	cni_sweep_rows rows;
-	int32_t k;
 	if (!tile_reserve_one(sweep, tile))
 		return 0;
-	rows = cni_sweep_rows_of(sweep, tile);
-	k = cni_sweep_entry_bound(&rows, tile->count, box->x0, id);
+	cni_sweep_rows rows = cni_sweep_rows_of(sweep, tile);
+	int32_t k = cni_sweep_entry_bound(&rows, tile->count, box->x0, id);
 	entries_move(&rows, k + 1, &rows, k, tile->count - k);
 	cni_sweep_entry_set(&rows, k, id, box);
 	++tile->count;

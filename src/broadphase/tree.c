@@ -58,10 +58,9 @@ static void place_clear(cni_tree_node *node, int32_t side)
 int32_t cni_tree_reserve(cni_tree *tree, cni_memory *memory, int32_t items, int32_t exact)
 {
 	int32_t (*reserve)(cni_array *, cni_memory *, int32_t) = exact ? cni_array_reserve_exact : cni_array_reserve;
-	int32_t k;
 	if (!reserve(&tree->nodes, memory, items) || !reserve(&tree->places, memory, items))
 		return 0;
-	for (k = tree->places.count; k < tree->places.capacity; ++k)
+	for (int32_t k = tree->places.count; k < tree->places.capacity; ++k)
 		places_of(tree)[k] = CNI_NONE;
 	tree->places.count = tree->places.capacity;
 	if (tree->nodes.count == 0 && tree->nodes.capacity > 0) {
@@ -176,11 +175,10 @@ static int32_t rotation_balances(int32_t down, int32_t beside, int32_t up, int32
 static void rotation_consider(const cni_tree *tree, int32_t node, int32_t side, int32_t height, tree_rotation *best)
 {
 	const cni_tree_node *f = cni_tree_node_at(tree, node), *g;
-	int32_t k;
 	if (!cni_tree_is_node(f->child[1 - side]))
 		return;
 	g = cni_tree_node_at(tree, f->child[1 - side]);
-	for (k = 0; k < 2; ++k) {
+	for (int32_t k = 0; k < 2; ++k) {
 		float gain = cni_tree_size(&f->box[1 - side]) - cni_tree_size_with(&f->box[side], &g->box[1 - k]);
 		int32_t wanted = gain > best->gain || (best->needed && best->down == CNI_NONE);
 		if (!wanted || !rotation_balances(f->height[side], g->height[1 - k], g->height[k], height))
@@ -251,15 +249,14 @@ static void siblings_push(tree_choice *choice, const cni_tree *tree, int32_t nod
 	const cni_tree_node *f = cni_tree_node_at(tree, node);
 	tree_sibling s[2];
 	float growth[2];
-	int32_t k, first;
-	for (k = 0; k < 2; ++k) {
+	for (int32_t k = 0; k < 2; ++k) {
 		s[k].place = 2 * node + k;
 		s[k].above = above;
 		s[k].with = cni_tree_size_with(&f->box[k], choice->box);
 		growth[k] = s[k].with - cni_tree_size(&f->box[k]);
 	}
 	/* The side to visit first goes on top. */
-	first = growth[1] < growth[0] || (growth[1] == growth[0] && f->height[1] < f->height[0]);
+	int32_t first = growth[1] < growth[0] || (growth[1] == growth[0] && f->height[1] < f->height[0]);
 	choice->stack[choice->top++] = s[1 - first];
 	choice->stack[choice->top++] = s[first];
 }
@@ -268,7 +265,6 @@ static void siblings_push(tree_choice *choice, const cni_tree *tree, int32_t nod
 static int32_t sibling_find(const cni_tree *tree, const cni_aabb *box)
 {
 	tree_choice choice;
-	int32_t tries;
 	choice.box = box;
 	choice.size = cni_tree_size(box);
 	choice.cost = INFINITY;
@@ -277,7 +273,7 @@ static int32_t sibling_find(const cni_tree *tree, const cni_aabb *box)
 	choice.stack[0].place = CNI_TREE_ROOT;
 	choice.stack[0].above = 0.0f;
 	choice.stack[0].with = cni_tree_size_with(cni_tree_box(tree, CNI_TREE_ROOT), box);
-	for (tries = 0; choice.top > 0 && (tries < SIBLING_TRIES || choice.place == CNI_NONE); ++tries) {
+	for (int32_t tries = 0; choice.top > 0 && (tries < SIBLING_TRIES || choice.place == CNI_NONE); ++tries) {
 		tree_sibling s = choice.stack[--choice.top];
 		float below = s.above + (s.with - cni_tree_size(cni_tree_box(tree, s.place)));
 		if (choice.place != CNI_NONE && s.above + choice.size >= choice.cost)
@@ -414,8 +410,8 @@ static int32_t place_holds(const cni_tree *tree, int32_t place, tree_census *sum
 
 static int32_t free_nodes(const cni_tree *tree)
 {
-	int32_t node, count = 0;
-	for (node = tree->node_free; node != CNI_NONE && count < tree->nodes.count; node = cni_tree_node_at(tree, node)->parent)
+	int32_t count = 0;
+	for (int32_t node = tree->node_free; node != CNI_NONE && count < tree->nodes.count; node = cni_tree_node_at(tree, node)->parent)
 		++count;
 	return count;
 }

@@ -93,7 +93,7 @@ static inline int32_t pair_may_be(const pair_search *s, const cni_tree_node *f, 
 /* Reports the items at or below a place that overlap the item. */
 static void pairs_below(const pair_search *s, int32_t place)
 {
-	int32_t stack[CNI_TREE_STACK], top = 0, k;
+	int32_t stack[CNI_TREE_STACK], top = 0;
 	const cni_tree_node *f = cni_tree_node_of(s->tree, place);
 	if (pair_may_be(s, f, place & 1))
 		stack[top++] = f->child[place & 1];
@@ -104,7 +104,7 @@ static void pairs_below(const pair_search *s, int32_t place)
 			continue;
 		}
 		f = cni_tree_node_at(s->tree, child);
-		for (k = 1; k >= 0; --k) {
+		for (int32_t k = 1; k >= 0; --k) {
 			stack[top] = f->child[k];
 			top += pair_may_be(s, f, k);
 		}

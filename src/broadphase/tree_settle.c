@@ -46,8 +46,7 @@ static inline float leaf_key(const tree_leaf *leaf, int32_t along_y)
 static int32_t longer_axis(const tree_leaf *leaves, int32_t count)
 {
 	float x0 = leaf_key(leaves, 0), y0 = leaf_key(leaves, 1), x1 = x0, y1 = y0;
-	int32_t k;
-	for (k = 1; k < count; ++k) {
+	for (int32_t k = 1; k < count; ++k) {
 		float x = leaf_key(&leaves[k], 0), y = leaf_key(&leaves[k], 1);
 		x0 = cni_min(x0, x);
 		x1 = cni_max(x1, x);
@@ -98,8 +97,8 @@ static void split_at(tree_leaf *leaves, int32_t count, int32_t half, int32_t alo
 static int32_t collect(const cni_tree *tree, tree_leaf *leaves)
 {
 	const int32_t *places = (const int32_t *)tree->places.data;
-	int32_t item, count = 0;
-	for (item = 0; item < tree->places.count && count < tree->count; ++item) {
+	int32_t count = 0;
+	for (int32_t item = 0; item < tree->places.count && count < tree->count; ++item) {
 		if (places[item] == CNI_NONE)
 			continue;
 		leaves[count].box = *cni_tree_box(tree, places[item]);
@@ -157,8 +156,7 @@ void cni_tree_rebuild(cni_tree *tree, void *scratch)
 static void unmark_stale_items(cni_tree *tree, int32_t node)
 {
 	cni_tree_node *f = cni_tree_node_at(tree, node);
-	int32_t k;
-	for (k = 0; k < 2; ++k)
+	for (int32_t k = 0; k < 2; ++k)
 		if (!cni_tree_is_node(f->child[k]) && (f->marks[k] & CNI_TREE_STALE)) {
 			f->marks[k] = (uint8_t)(f->marks[k] & OWN_MARKS);
 			--tree->stale;
@@ -241,8 +239,7 @@ static void insert_removed(cni_tree *tree, int32_t count)
 float cni_tree_cost(const cni_tree *tree)
 {
 	float nodes = 0.0f, items = 0.0f;
-	int32_t place;
-	for (place = CNI_TREE_ROOT; place < 2 * tree->nodes.count; ++place) {
+	for (int32_t place = CNI_TREE_ROOT; place < 2 * tree->nodes.count; ++place) {
 		int32_t child = cni_tree_child(tree, place);
 		if (cni_tree_is_node(child))
 			nodes += cni_tree_size(cni_tree_box(tree, place));
@@ -269,10 +266,9 @@ static void rebuild_measured(cni_tree *tree, void *scratch)
 /* Called after many items moved: rebuilds if the cost has grown enough. */
 static void rebuild_if_worse(cni_tree *tree, void *scratch)
 {
-	float cost;
 	if (++tree->waited <= tree->patience)
 		return;
-	cost = cni_tree_cost(tree);
+	float cost = cni_tree_cost(tree);
 	if (cost <= COST_WORSE * tree->cost)
 		return;
 	rebuild_measured(tree, scratch);

@@ -31,10 +31,9 @@ static int32_t disc_enter(cni_vec2 center, float radius, cni_vec2 origin, cni_ve
 	cni_vec2 from = cni_sub(origin, center), normal;
 	float nearest = -cni_dot(from, direction);
 	float off_sq = cni_length_sq(cni_madd(from, nearest, direction));
-	float at;
 	if (!(length > 0.0f) || !(off_sq <= radius * radius))
 		return 0;
-	at = nearest - cni_sqrt(radius * radius - off_sq);
+	float at = nearest - cni_sqrt(radius * radius - off_sq);
 	if (nearest < 0.0f || at > length)
 		return 0;
 	at = cni_max(at, 0.0f);

@@ -283,7 +283,6 @@ cni_nearest cni_geometry_nearest(const cni_geometry *g, int32_t child, cni_vec2 
 	cni_vec2 best = set.points[0], normal = { 1.0f, 0.0f };
 	int32_t edges = set.count > 2 ? set.count : set.count - 1;
 	cni_nearest inside;
-	float distance;
 	if (g->type == CN_SHAPE_POLYGON && nearest_inside(g, local, &inside))
 		return inside;
 	if (set.count == 2)
@@ -293,7 +292,7 @@ cni_nearest cni_geometry_nearest(const cni_geometry *g, int32_t child, cni_vec2 
 		if (i == 0 || cni_distance_sq(local, on) < cni_distance_sq(local, best))
 			best = on;
 	}
-	distance = cni_length(cni_sub(local, best));
+	float distance = cni_length(cni_sub(local, best));
 	if (distance > 0.0f)
 		normal = cni_normalize(cni_sub(local, best));
 	return nearest_make(best, normal, distance, set.radius);

@@ -18,11 +18,10 @@ static void axis_add(cni_manifold_batch *batch, int32_t k, const cni_manifold_in
 {
 	const cni_geometry *g = axis > CN_POLYGON_MAX_VERTICES ? in->b : in->a;
 	int32_t edge = (axis + CN_POLYGON_MAX_VERTICES - 1) % CN_POLYGON_MAX_VERTICES;
-	cni_vec2 n, p;
 	if (axis == 0 || edge >= g->count)
 		axis = edge = 0;
-	n = cni_geometry_normals(g)[edge];
-	p = cni_geometry_points(g)[edge];
+	cni_vec2 n = cni_geometry_normals(g)[edge];
+	cni_vec2 p = cni_geometry_points(g)[edge];
 	batch->axis[k] = axis;
 	batch->axis_nx[k] = n.x;
 	batch->axis_ny[k] = n.y;
@@ -56,11 +55,10 @@ int32_t cni_batch_add(cni_manifold_batch *batch, const cni_manifold_input *in, c
 /* Copies the last column to fill the kernel's width. */
 static void pad(cni_manifold_batch *batch)
 {
-	int32_t last = batch->count - 1, k;
+	int32_t last = batch->count - 1;
 	float *rows = (float *)(void *)batch;
-	size_t row;
-	for (k = batch->count; k % WIDTH_MAX != 0; ++k) {
-		for (row = 0; row < INPUT_ROWS; ++row)
+	for (int32_t k = batch->count; k % WIDTH_MAX != 0; ++k) {
+		for (size_t row = 0; row < INPUT_ROWS; ++row)
 			memcpy(rows + row * CNI_BATCH_PAIRS + k, rows + row * CNI_BATCH_PAIRS + last, sizeof *rows);
 		batch->a[k] = batch->a[last];
 		batch->b[k] = batch->b[last];

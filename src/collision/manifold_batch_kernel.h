@@ -57,9 +57,8 @@ CNI_INLINE void load_two(const float *const *records, cni_mask offset, wide2 *fi
 {
 	CNI_ALIGNED(32) int32_t at[CNI_WIDTH];
 	const float *from[CNI_WIDTH];
-	int32_t l;
 	mask_store(at, offset);
-	for (l = 0; l < CNI_WIDTH; ++l)
+	for (int32_t l = 0; l < CNI_WIDTH; ++l)
 		from[l] = records[l] + at[l];
 	cni_wide_gather4_from(from, 0, &first->x, &first->y, &second->x, &second->y);
 }
@@ -67,12 +66,11 @@ CNI_INLINE void load_two(const float *const *records, cni_mask offset, wide2 *fi
 CNI_INLINE void skeleton_load(const float *const *records, const int32_t *count, skeleton *out, int32_t places)
 {
 	cni_mask twice = mask_load(count) + mask_load(count), last = twice - mask_of(4);
-	int32_t i;
 	out->count = mask_load(count);
 	out->even = choose_i((out->count & mask_of(1)) == mask_of(0), mask_of(CN_POLYGON_MAX_VERTICES), out->count - mask_of(2));
 	cni_wide_gather4_from(records, 0, &out->point[0].x, &out->point[0].y, &out->point[1].x, &out->point[1].y);
 	load_two(records, twice, &out->normal[0], &out->normal[1]);
-	for (i = 2; i < places; i += 2) {
+	for (int32_t i = 2; i < places; i += 2) {
 		cni_mask at = choose_i(last > mask_of(2 * i), mask_of(2 * i), last);
 		load_two(records, at, &out->point[i], &out->point[i + 1]);
 		load_two(records, at + twice, &out->normal[i], &out->normal[i + 1]);
@@ -81,10 +79,9 @@ CNI_INLINE void skeleton_load(const float *const *records, const int32_t *count,
 
 CNI_INLINE void boxes_load(const float *const *records, skeleton *out)
 {
-	int32_t i;
 	out->count = mask_of(4);
 	out->even = mask_of(CN_POLYGON_MAX_VERTICES);
-	for (i = 0; i < 4; i += 2) {
+	for (int32_t i = 0; i < 4; i += 2) {
 		cni_wide_gather4_from(records, 2 * i, &out->point[i].x, &out->point[i].y, &out->point[i + 1].x, &out->point[i + 1].y);
 		cni_wide_gather4_from(records, 2 * i + 8, &out->normal[i].x, &out->normal[i].y, &out->normal[i + 1].x, &out->normal[i + 1].y);
 	}
@@ -97,8 +94,7 @@ CNI_INLINE cni_mask index_of(const skeleton *s, cni_mask place) { return place +
 CNI_INLINE cni_wide lowest(const skeleton *s, wide2 direction, int32_t places)
 {
 	cni_wide low = cni_wide_min(dot(direction, s->point[1]), dot(direction, s->point[0]));
-	int32_t i;
-	for (i = 2; i < places; i += 2) {
+	for (int32_t i = 2; i < places; i += 2) {
 		low = cni_wide_min(dot(direction, s->point[i]), low);
 		low = cni_wide_min(dot(direction, s->point[i + 1]), low);
 	}
@@ -119,8 +115,7 @@ CNI_INLINE cni_wide cached_separation(const cni_manifold_batch *k, int32_t l, co
 
 CNI_INLINE void skeleton_move(skeleton *b, wide2 q, wide2 t, int32_t places)
 {
-	int32_t i;
-	for (i = 0; i < places; ++i) {
+	for (int32_t i = 0; i < places; ++i) {
 		wide2 p = rotate(q, b->point[i]);
 		b->point[i] = wide2_of(p.x + t.x, p.y + t.y);
 		b->normal[i] = rotate(q, b->normal[i]);
@@ -135,10 +130,9 @@ CNI_INLINE cni_wide face_separation(const skeleton *reference, const skeleton *o
 CNI_INLINE face best_face(const skeleton *reference, const skeleton *other, cni_mask of_b, int32_t places)
 {
 	face f;
-	int32_t i;
 	f.edge = mask_of(0);
 	f.separation = face_separation(reference, other, 0, places);
-	for (i = 1; i < places; ++i) {
+	for (int32_t i = 1; i < places; ++i) {
 		cni_wide separation = face_separation(reference, other, i, places);
 		f.edge = choose_i(separation > f.separation, mask_of(i), f.edge);
 		f.separation = cni_wide_max(separation, f.separation);
@@ -169,8 +163,7 @@ CNI_INLINE face axis_choose(const skeleton *a, const skeleton *b, cni_mask cache
 CNI_INLINE wide2 pick(const wide2 *v, cni_mask place, int32_t places)
 {
 	wide2 picked = v[0];
-	int32_t i;
-	for (i = 1; i < places; ++i)
+	for (int32_t i = 1; i < places; ++i)
 		picked = choose(place == mask_of(i), v[i], picked);
 	return picked;
 }
@@ -194,8 +187,7 @@ CNI_INLINE cni_mask incident_find(const skeleton *b, wide2 normal, int32_t place
 {
 	cni_wide least = dot(b->normal[0], normal);
 	cni_mask edge = mask_of(0);
-	int32_t i;
-	for (i = 1; i < places; ++i) {
+	for (int32_t i = 1; i < places; ++i) {
 		cni_wide facing = dot(b->normal[i], normal);
 		edge = choose_i(facing < least, mask_of(i), edge);
 		least = cni_wide_min(facing, least);
@@ -208,7 +200,6 @@ CNI_INLINE clip clip_make(const skeleton *reference, cni_mask edge, const skelet
 	clip c;
 	cni_mask place = place_of(reference, edge), end = next_vertex(reference, edge), v0, v1, swap;
 	wide2 n = pick(reference->normal, place, places), t = wide2_of(-n.y, n.x), start = pick(reference->point, place, places), first, second;
-	int32_t i;
 	c.normal = n;
 	c.start = start;
 	c.end = pick(reference->point, place_of(reference, end), places);
@@ -225,7 +216,7 @@ CNI_INLINE clip clip_make(const skeleton *reference, cni_mask edge, const skelet
 	c.incident[1] = choose_i(swap, v0, v1);
 	c.point[0] = choose(swap, second, first);
 	c.point[1] = choose(swap, first, second);
-	for (i = 0; i < 2; ++i) {
+	for (int32_t i = 0; i < 2; ++i) {
 		wide2 d = sub(c.point[i], start);
 		c.at[i] = dot(t, d);
 		c.height[i] = dot(n, d);
@@ -346,13 +337,12 @@ CNI_INLINE corners corners_find(const skeleton *a, const skeleton *b, const clip
 	wide2 p1 = choose(of_b, c->point[0], c->start), q1 = choose(of_b, c->point[1], c->end);
 	wide2 p2 = choose(of_b, c->start, c->point[0]), q2 = choose(of_b, c->end, c->point[1]), d;
 	corners f;
-	cni_mask last_a, last_b;
 	f.at = closest_make(p1, q1, p2, q2);
 	f.distance = cni_wide_sqrt(f.at.distance_sq);
 	d = sub(f.at.point_b, f.at.point_a);
 	f.normal = wide2_of(d.x / f.distance, d.y / f.distance);
-	last_a = ~(f.at.fraction_a < cni_wide_of(1.0f));
-	last_b = ~(f.at.fraction_b < cni_wide_of(1.0f));
+	cni_mask last_a = ~(f.at.fraction_a < cni_wide_of(1.0f));
+	cni_mask last_b = ~(f.at.fraction_b < cni_wide_of(1.0f));
 	f.a = choose_i(of_b, choose_i(last_a, c->incident[1], c->incident[0]), choose_i(last_a, c->reference[1], c->reference[0]));
 	f.b = choose_i(of_b, choose_i(last_b, c->reference[1], c->reference[0]), choose_i(last_b, c->incident[1], c->incident[0]));
 	f.known = is_end(f.at.fraction_a) & is_end(f.at.fraction_b) & ~segments_cross(p1, q1, p2, q2);
@@ -384,12 +374,7 @@ CNI_INLINE void points_store(cni_manifold_batch *k, int32_t l, const skeleton *a
 {
 	skeleton reference, incident;
 	clipped_end low, high, first, second;
-	cni_wide at, height, overlap, ends;
-	cni_mask exact, near, missed, wanted, state;
-	wide2 normal;
-	clip c;
-	int32_t i;
-	for (i = 0; i < places; ++i) {
+	for (int32_t i = 0; i < places; ++i) {
 		reference.point[i] = choose(axis.of_b, b->point[i], a->point[i]);
 		reference.normal[i] = choose(axis.of_b, b->normal[i], a->normal[i]);
 		incident.point[i] = choose(axis.of_b, a->point[i], b->point[i]);
@@ -399,18 +384,18 @@ CNI_INLINE void points_store(cni_manifold_batch *k, int32_t l, const skeleton *a
 	incident.count = choose_i(axis.of_b, a->count, b->count);
 	reference.even = choose_i(axis.of_b, b->even, a->even);
 	incident.even = choose_i(axis.of_b, a->even, b->even);
-	c = clip_make(&reference, axis.edge, &incident, places);
+	clip c = clip_make(&reference, axis.edge, &incident, places);
 	low = clip_end(&c, 0, aligned);
 	high = clip_end(&c, 1, aligned);
-	at = cni_wide_select(c.height[1] < c.height[0], c.at[1], c.at[0]);
-	height = cni_wide_select(c.height[1] < c.height[0], c.height[1], c.height[0]);
-	exact = (at >= cni_wide_of(0.0f)) & (at <= c.length);
-	overlap = cni_wide_min(c.length, c.at[1]) - cni_wide_max(cni_wide_of(0.0f), c.at[0]);
-	missed = overlap < cni_wide_of(0.0f);
-	ends = cni_wide_min(low.height, high.height);
-	near = ~missed & (cni_wide_abs(ends - height) <= touch);
-	wanted = ~is_apart & ~exact & ~near & (missed | (height > touch));
-	normal = choose(axis.of_b, wide2_of(-c.normal.x, -c.normal.y), c.normal);
+	cni_wide at = cni_wide_select(c.height[1] < c.height[0], c.at[1], c.at[0]);
+	cni_wide height = cni_wide_select(c.height[1] < c.height[0], c.height[1], c.height[0]);
+	cni_mask exact = (at >= cni_wide_of(0.0f)) & (at <= c.length);
+	cni_wide overlap = cni_wide_min(c.length, c.at[1]) - cni_wide_max(cni_wide_of(0.0f), c.at[0]);
+	cni_mask missed = overlap < cni_wide_of(0.0f);
+	cni_wide ends = cni_wide_min(low.height, high.height);
+	cni_mask near = ~missed & (cni_wide_abs(ends - height) <= touch);
+	cni_mask wanted = ~is_apart & ~exact & ~near & (missed | (height > touch));
+	wide2 normal = choose(axis.of_b, wide2_of(-c.normal.x, -c.normal.y), c.normal);
 	cni_wide_store(k->nx + l, normal.x);
 	cni_wide_store(k->ny + l, normal.y);
 	first.point = choose(axis.of_b, high.point, low.point);
@@ -423,7 +408,7 @@ CNI_INLINE void points_store(cni_manifold_batch *k, int32_t l, const skeleton *a
 	second.incident = choose_i(axis.of_b, low.incident, high.incident);
 	end_store(k, l, 0, &first, axis.of_b, normal);
 	end_store(k, l, 1, &second, axis.of_b, normal);
-	state = choose_i(overlap >= touch, mask_of(CNI_BATCH_POINTS), mask_of(CNI_BATCH_FALLBACK));
+	cni_mask state = choose_i(overlap >= touch, mask_of(CNI_BATCH_POINTS), mask_of(CNI_BATCH_FALLBACK));
 	if (mask_any(wanted)) {
 		corners f = corners_find(a, b, &c, axis.of_b, touch, cni_wide_of(0.01f * k->slop), places);
 		cni_mask where = wanted & f.known & (missed | ~(cni_wide_abs(ends - f.distance) <= touch));
@@ -439,14 +424,13 @@ CNI_INLINE void pairs_collide(cni_manifold_batch *k, int32_t l, skeleton *a, ske
 	cni_wide reach = cni_wide_load(k->margin + l) + cni_wide_load(k->radius_a + l) + cni_wide_load(k->radius_b + l), cached_at;
 	wide2 q = wide2_of(cni_wide_load(k->qc + l), cni_wide_load(k->qs + l)), t = wide2_of(cni_wide_load(k->tx + l), cni_wide_load(k->ty + l));
 	cni_mask cached = mask_load(k->axis + l), is_apart, still;
-	face axis;
 	cached_at = cached_separation(k, l, a, b, q, t, places);
 	still = cached_at > reach;
 	mask_store(k->state + l, mask_of(CNI_BATCH_APART));
 	if (!mask_any(~still))
 		return;
 	skeleton_move(b, q, t, places);
-	axis = axis_choose(a, b, cached, cached_at, touch, places);
+	face axis = axis_choose(a, b, cached, cached_at, touch, places);
 	mask_store(k->axis + l, choose_i(still, cached, axis.edge + mask_of(1) + (axis.of_b & mask_of(CN_POLYGON_MAX_VERTICES))));
 	is_apart = still | (axis.separation > reach);
 	if (mask_any(~is_apart))
@@ -457,8 +441,8 @@ CNI_INLINE void pairs_collide(cni_manifold_batch *k, int32_t l, skeleton *a, ske
 static void polygons_collide(cni_manifold_batch *k, int32_t l)
 {
 	skeleton a, b;
-	int32_t most = 0, places, i;
-	for (i = l; i < l + CNI_WIDTH; ++i)
+	int32_t most = 0, places;
+	for (int32_t i = l; i < l + CNI_WIDTH; ++i)
 		most = cni_max_i(most, cni_max_i(k->count_a[i], k->count_b[i]));
 	places = (most + 1) & ~1;
 	skeleton_load(k->a + l, k->count_a + l, &a, places);
@@ -482,8 +466,7 @@ CNI_INLINE void fours_collide(cni_manifold_batch *k, int32_t l)
 
 void CNI_KERNEL(cni_manifold_batch *batch, int32_t pairs)
 {
-	int32_t l;
-	for (l = 0; l < pairs; l += CNI_WIDTH)
+	for (int32_t l = 0; l < pairs; l += CNI_WIDTH)
 		if (mask_any((mask_load(batch->count_a + l) > mask_of(4)) | (mask_load(batch->count_b + l) > mask_of(4))))
 			polygons_collide(batch, l);
 		else

@@ -8,7 +8,6 @@
  * manifold_chain.c). A face that one neighbour covers leads nowhere: a shape deep inside leaves through another face.
  */
 #include "collision/manifold.h"
-#include "collision/distance.h"
 
 /* Sine of the angle up to which two faces are one surface: a tile of 2 m is off by less than the slop then. */
 #define FLUSH_SINE_MAX 0.002f
@@ -64,8 +63,7 @@ static int32_t face_continues(const face *f, const face *other, int32_t end, flo
 /* Adds the faces that are covered because both of their ends are hidden. */
 static uint32_t covered_add(uint32_t seams, int32_t count)
 {
-	int32_t i;
-	for (i = 0; i < count && count <= COVERED_FACES; ++i) {
+	for (int32_t i = 0; i < count && count <= COVERED_FACES; ++i) {
 		int32_t before = i > 0 ? i - 1 : count - 1, after = i + 1 < count ? i + 1 : 0;
 		seams |= (seams >> (2 * before + 1) & seams >> 2 * after & 1u) << (COVERED_FROM + i);
 	}
@@ -75,10 +73,9 @@ static uint32_t covered_add(uint32_t seams, int32_t count)
 uint32_t cni_seams_between(const cni_geometry *g, const cni_geometry *h, cni_transform h_in_g, float slop)
 {
 	uint32_t seams = 0;
-	int32_t i, k;
-	for (k = 0; k < h->count; ++k) {
+	for (int32_t k = 0; k < h->count; ++k) {
 		face other = face_moved(face_of(h, k), h_in_g);
-		for (i = 0; i < g->count; ++i) {
+		for (int32_t i = 0; i < g->count; ++i) {
 			face f = face_of(g, i);
 			if (!(cni_dot(f.normal, other.normal) > 0.0f && cni_abs(cni_cross(f.normal, other.normal)) <= FLUSH_SINE_MAX))
 				continue;
@@ -111,14 +108,13 @@ static underside underside_find(const mover *o, const face *f, float slop)
 {
 	underside u = { { FLT_MAX, -FLT_MAX }, { 0.0f, 0.0f }, FLT_MAX };
 	float at[CN_POLYGON_MAX_VERTICES], height[CN_POLYGON_MAX_VERTICES];
-	int32_t k;
-	for (k = 0; k < o->set.count; ++k) {
+	for (int32_t k = 0; k < o->set.count; ++k) {
 		cni_vec2 d = cni_sub(mover_point(o, k), f->start);
 		at[k] = cni_dot(f->along, d);
 		height[k] = cni_dot(f->normal, d) - o->set.radius;
 		u.low = cni_min(u.low, height[k]);
 	}
-	for (k = 0; k < o->set.count; ++k) {
+	for (int32_t k = 0; k < o->set.count; ++k) {
 		if (height[k] > u.low + slop)
 			continue;
 		if (at[k] < u.at[0]) {
@@ -181,8 +177,8 @@ static int32_t is_flat(const face *f, cni_vec2 normal, const cni_manifold *m)
 static int32_t leads_into_neighbour(const cni_geometry *owner, cni_vec2 normal)
 {
 	const cni_vec2 *normals = cni_geometry_normals(owner);
-	int32_t i, leads = 0;
-	for (i = 0; i < owner->count; ++i) {
+	int32_t leads = 0;
+	for (int32_t i = 0; i < owner->count; ++i) {
 		if (owner->seams >> (COVERED_FROM + i) & 1u)
 			leads |= cni_dot(normal, normals[i]) > COVERED_COSINE;
 		else if (cni_dot(normal, normals[i]) > 0.0f && cni_abs(cni_cross(normal, normals[i])) <= OWN_SINE_MAX)
@@ -196,14 +192,13 @@ static int32_t leads_into_neighbour(const cni_geometry *owner, cni_vec2 normal)
 static void leave_uncovered(const mover *o, cni_vec2 center, const cni_geometry *owner, cni_vec2 motion, const cni_manifold_input *in, int32_t static_is_b, cni_manifold *m)
 {
 	underside best = { { 0.0f, 0.0f }, { 0.0f, 0.0f }, -FLT_MAX };
-	int32_t i, nearest = CNI_NONE;
+	int32_t nearest = CNI_NONE;
 	face f;
-	for (i = 0; i < owner->count; ++i) {
-		underside u;
+	for (int32_t i = 0; i < owner->count; ++i) {
 		f = face_of(owner, i);
 		if ((owner->seams >> (COVERED_FROM + i) & 1u) || cni_dot(f.normal, cni_sub(center, owner->centroid)) < 0.0f)
 			continue;
-		u = underside_find(o, &f, in->slop);
+		underside u = underside_find(o, &f, in->slop);
 		if (u.low <= best.low)
 			continue;
 		best = u;
@@ -218,7 +213,7 @@ static void leave_uncovered(const mover *o, cni_vec2 center, const cni_geometry 
 
 void cni_seams_mend(const cni_manifold_input *in, cni_vec2 motion, float depth, cni_manifold *m)
 {
-	int32_t static_is_b = cni_seams_of(in->a) == 0, i;
+	int32_t static_is_b = cni_seams_of(in->a) == 0;
 	const cni_geometry *owner = static_is_b ? in->b : in->a, *other = static_is_b ? in->a : in->b;
 	cni_vec2 normal = static_is_b ? cni_unrotate(in->b_in_a.q, cni_neg(m->normal)) : m->normal;
 	mover o;
@@ -227,18 +222,15 @@ void cni_seams_mend(const cni_manifold_input *in, cni_vec2 motion, float depth, 
 	o.inverse = static_is_b;
 	if (static_is_b)
 		motion = cni_unrotate(in->b_in_a.q, cni_neg(motion));
-	for (i = 0; i < owner->count; ++i) {
+	for (int32_t i = 0; i < owner->count; ++i) {
 		uint32_t ends = owner->seams >> 2 * i & 3u;
-		underside u;
-		float across;
-		face f;
 		if (ends == 0)
 			continue;
-		f = face_of(owner, i);
-		across = cni_dot(normal, f.along);
+		face f = face_of(owner, i);
+		float across = cni_dot(normal, f.along);
 		if (cni_abs(across) <= OWN_SINE_MAX || !(ends >> (across > 0.0f) & 1u))
 			continue;
-		u = underside_find(&o, &f, in->slop);
+		underside u = underside_find(&o, &f, in->slop);
 		if (u.low < -depth)
 			continue;
 		if (is_flat(&f, normal, m))

@@ -127,14 +127,13 @@ static int32_t disc_stays_in_front(const advance *v, const cni_toi_input *in)
 	const mover *a = &v->a;
 	const float reach = v->b.reach + v->target + v->tolerance;
 	cni_vec2 from = cni_unrotate(a->q0, v->center), to = cni_unrotate(a->q0, cni_add(v->center, v->velocity)), along;
-	int32_t i;
 	if (a->turn != 0.0f || a->count < 2)
 		return 0;
 	if (in->a->type != CN_SHAPE_POLYGON) {
 		along = cni_sub(a->arms[1], a->arms[0]);
 		return disc_stays_off(from, to, a->arms[0], cni_left_perp(along), reach * cni_length(along));
 	}
-	for (i = 0; i < a->count; ++i) {
+	for (int32_t i = 0; i < a->count; ++i) {
 		cni_vec2 normal = cni_geometry_normals(in->a)[i];
 		if (cni_min(cni_dot(cni_sub(from, a->arms[i]), normal), cni_dot(cni_sub(to, a->arms[i]), normal)) > reach)
 			return 1;
@@ -198,11 +197,10 @@ static float gap_root(const gap *g, float hi, float tolerance)
 	if (gap_hi >= 0.0f)
 		return hi;
 	for (int32_t i = 0; i < ROOT_STEPS_MAX && gap_lo > 0.25f * tolerance; ++i) {
-		float middle, gap_middle;
 		lo = lo + (hi - lo) * (gap_lo / (gap_lo - gap_hi));
 		gap_lo = cni_max(gap_at(g, lo), 0.0f); /* below 0 by rounding only */
-		middle = 0.5f * (lo + hi);
-		gap_middle = gap_at(g, middle);
+		float middle = 0.5f * (lo + hi);
+		float gap_middle = gap_at(g, middle);
 		if (gap_middle >= 0.0f) {
 			lo = middle;
 			gap_lo = gap_middle;
@@ -277,7 +275,6 @@ static void search(cni_toi_result *out, advance *v, const cni_toi_input *in)
 	out->fraction = 0.0f;
 	out->state = CNI_TOI_FAILED;
 	for (; out->iterations < ITERATIONS_MAX;) {
-		float next;
 		advance_to(v, out->fraction);
 		cni_closest closest = closest_now(v, out->fraction);
 		++out->iterations;
@@ -289,7 +286,7 @@ static void search(cni_toi_result *out, advance *v, const cni_toi_input *in)
 			result_hit(out, v, in, &closest);
 			return;
 		}
-		next = out->fraction + axis_free(v, cni_rotate(v->a.q, closest.normal), out->fraction);
+		float next = out->fraction + axis_free(v, cni_rotate(v->a.q, closest.normal), out->fraction);
 		if (next >= 1.0f) {
 			out->state = CNI_TOI_SEPARATED;
 			return;

@@ -61,20 +61,18 @@ typedef int32_t cni_contact_impact_fn(const cni_impact_pass *pass, const cni_imp
 
 CNI_INLINE void cni_lines_prefetch(const void *from, int32_t bytes)
 {
-	int32_t at;
-	for (at = 0; at < bytes; at += 64)
+	for (int32_t at = 0; at < bytes; at += 64)
 		CNI_PREFETCH((const char *)from + at);
 }
 
 /* Prefetches the rows of the block after the next, and the bodies of the next. */
 CNI_INLINE void cni_blocks_prefetch(const cni_color_pass *c, int32_t k, int32_t end)
 {
-	int32_t l;
 	if (k + 2 < end)
 		cni_lines_prefetch(c->blocks[k + 2].rows, (int32_t)sizeof(cni_contact_block));
 	if (k + 1 >= end)
 		return;
-	for (l = 0; l < CNI_LANES; ++l) {
+	for (int32_t l = 0; l < CNI_LANES; ++l) {
 		CNI_PREFETCH(&c->motions[c->blocks[k + 1].rows->ia[l]]);
 		CNI_PREFETCH(&c->motions[c->blocks[k + 1].rows->ib[l]]);
 	}

@@ -38,8 +38,8 @@ static void lane_run(cn_world *world, const cni_solve *s, int32_t which, const c
 static void overflow_run(cn_world *world, const cni_solve *s, int32_t which)
 {
 	const cni_listed_block *blocks = cni_listed_blocks(world, CNI_COLOR_OVERFLOW);
-	int32_t count = world->colors[CNI_COLOR_OVERFLOW].listed_count, again = which == CNI_PASS_AGAIN, k;
-	for (k = 0; k < count; ++k) {
+	int32_t count = world->colors[CNI_COLOR_OVERFLOW].listed_count, again = which == CNI_PASS_AGAIN;
+	for (int32_t k = 0; k < count; ++k) {
 		uint32_t left = again ? blocks[k].info->again : (1u << blocks[k].lanes) - 1u;
 		if (again)
 			blocks[k].info->again = 0;
@@ -97,8 +97,7 @@ static cni_listed_block listed_of(const cn_world *world, int32_t block, int32_t 
    blocks are in use. */
 CNI_INLINE void infos_prefetch(const cn_world *world)
 {
-	int32_t block;
-	for (block = 0; block < world->block_used; ++block)
+	for (int32_t block = 0; block < world->block_used; ++block)
 		CNI_PREFETCH(&cni_block_info_at(world, block)->next);
 }
 
@@ -107,8 +106,8 @@ CNI_INLINE void infos_prefetch(const cn_world *world)
    they fly apart as from an explosion. */
 static int32_t relax_sweeps(const cn_world *world)
 {
-	int32_t color, lanes = world->colors[CNI_COLOR_OVERFLOW].lanes;
-	for (color = 0; color < CNI_COLOR_STATIC; ++color)
+	int32_t lanes = world->colors[CNI_COLOR_OVERFLOW].lanes;
+	for (int32_t color = 0; color < CNI_COLOR_STATIC; ++color)
 		lanes += world->colors[color].lanes;
 	return lanes > CNI_CROWD_CONTACTS * world->awake_count ? CNI_CROWD_RELAX_SWEEPS : 1;
 }
@@ -116,11 +115,11 @@ static int32_t relax_sweeps(const cn_world *world)
 void cni_contacts_list(cn_world *world, cni_solve *s)
 {
 	cni_listed_block *list = (cni_listed_block *)world->block_list.data;
-	int32_t color, block, count = 0, k;
+	int32_t block, count = 0, k;
 	uint32_t sums = 0;
 	if (!cni_blocks_are_few(world))
 		infos_prefetch(world);
-	for (color = 0; color < CNI_COLORS; ++color) {
+	for (int32_t color = 0; color < CNI_COLORS; ++color) {
 		world->colors[color].listed = count;
 		world->colors[color].listed_count = 0;
 		if (world->colors[color].lanes == 0)

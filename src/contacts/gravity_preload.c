@@ -78,13 +78,12 @@ static row row_make(float x, float y, float turn, float support_turn)
 static void support_read(support *p, cni_contact_block *k, int32_t l, int32_t is_b, float scale)
 {
 	float sign = is_b ? -1.0f : 1.0f, nx = sign * k->nx[l], ny = sign * k->ny[l];
-	int32_t i;
 	p->lanes = k;
 	p->lane = l;
 	p->below = is_b ? k->ia[l] : k->ib[l];
 	p->sticks = k->static_friction[l];
 	p->slides = k->dynamic_friction[l];
-	for (i = 0; i < 2; ++i) {
+	for (int32_t i = 0; i < 2; ++i) {
 		float at = k->p[i].at[l], bt = at - k->dt[l];
 		p->rows[i] = is_b ? row_make(nx, ny, -scale * bt, -at) : row_make(nx, ny, scale * at, bt);
 	}
@@ -108,12 +107,11 @@ static int32_t is_above(const pile *q, int32_t other, int32_t body)
 static int32_t supports_collect(const pile *q, int32_t index, float scale, balance *out)
 {
 	const cni_body *b = cni_body_at(q->world, cni_awake_ids(q->world)[index]);
-	int32_t key;
 	out->count = 0;
-	for (key = b->contact_first; key != CNI_NONE; key = cni_contact_of_key(q->world, key)->next[key & 1]) {
+	for (int32_t key = b->contact_first; key != CNI_NONE; key = cni_contact_of_key(q->world, key)->next[key & 1]) {
 		const cni_contact *c = cni_contact_of_key(q->world, key);
 		int32_t other = c->body[1 - (key & 1)], block = c->slot / CNI_LANES, l = c->slot % CNI_LANES;
-		if (!(c->flags & CNI_CONTACT_TOUCHING) || c->slot == CNI_NONE)
+		if (!cni_contact_has_lane(c))
 			continue;
 		if (cni_body_at(q->world, other)->type == CN_BODY_DYNAMIC && is_above(q, cni_body_at(q->world, other)->awake, index))
 			continue;
@@ -127,11 +125,10 @@ static int32_t supports_collect(const pile *q, int32_t index, float scale, balan
 /* Selects the rows. Stage 0: points of contacts steep enough to support by themselves; 1: also their friction; 2: all contacts. */
 static void shares_set(balance *b, int32_t stage)
 {
-	int32_t k, i;
-	for (k = 0; k < b->count; ++k) {
+	for (int32_t k = 0; k < b->count; ++k) {
 		support *p = &b->supports[k];
 		int32_t bears = p->rows[0].x * b->down_x + p->rows[0].y * b->down_y >= CNI_PRELOAD_SUPPORT_COSINE;
-		for (i = 0; i < 2; ++i)
+		for (int32_t i = 0; i < 2; ++i)
 			p->rows[i].share = p->lanes->p[i].nm[p->lane] > 0.0f && (bears || stage == 2) ? 1.0f : 0.0f;
 		p->rows[2].share = stage > 0 && p->rows[0].share + p->rows[1].share > 0.0f ? CNI_PRELOAD_FRICTION_SHARE : 0.0f;
 	}
@@ -149,10 +146,9 @@ static void row_push(balance *b, row *r, float impulse)
 static int32_t impulses_find(balance *b)
 {
 	float a00 = 0.0f, a10 = 0.0f, a11 = 0.0f, a20 = 0.0f, a21 = 0.0f, a22 = 0.0f, more, l10, l20, l21, d1, d2;
-	int32_t k, i, pass;
 	memcpy(b->left, b->wanted, sizeof b->left);
-	for (k = 0; k < b->count; ++k)
-		for (i = 0; i < 3; ++i) {
+	for (int32_t k = 0; k < b->count; ++k)
+		for (int32_t i = 0; i < 3; ++i) {
 			row *r = &b->supports[k].rows[i];
 			r->impulse = 0.0f;
 			a00 += r->share * r->x * r->x;
@@ -171,11 +167,11 @@ static int32_t impulses_find(balance *b)
 	d1 = a11 + more - l10 * a10;
 	l21 = (a21 - l20 * a10) / d1;
 	d2 = a22 + more - l20 * a20 - l21 * l21 * d1;
-	for (pass = 0; pass < CNI_PRELOAD_REFINEMENTS; ++pass) {
+	for (int32_t pass = 0; pass < CNI_PRELOAD_REFINEMENTS; ++pass) {
 		float y1 = b->left[1] - l10 * b->left[0], y2 = b->left[2] - l20 * b->left[0] - l21 * y1;
 		float m2 = y2 / d2, m1 = y1 / d1 - l21 * m2, m0 = b->left[0] / a00 - l10 * m1 - l20 * m2;
-		for (k = 0; k < b->count; ++k)
-			for (i = 0; i < 3; ++i) {
+		for (int32_t k = 0; k < b->count; ++k)
+			for (int32_t i = 0; i < 3; ++i) {
 				row *r = &b->supports[k].rows[i];
 				row_push(b, r, r->share * (r->x * m0 + r->y * m1 + r->turn * m2));
 			}
@@ -186,19 +182,18 @@ static int32_t impulses_find(balance *b)
 /* Drops points that pull; clamps friction that slides and lowers its share. 1: something changed. */
 static int32_t impulses_bound(balance *b)
 {
-	int32_t k, i, changed = 0;
-	for (k = 0; k < b->count; ++k) {
+	int32_t changed = 0;
+	for (int32_t k = 0; k < b->count; ++k) {
 		support *p = &b->supports[k];
 		row *f = &p->rows[2];
-		float normal, most;
-		for (i = 0; i < 2; ++i)
+		for (int32_t i = 0; i < 2; ++i)
 			if (p->rows[i].impulse < 0.0f) {
 				row_push(b, &p->rows[i], -p->rows[i].impulse);
 				p->rows[i].share = 0.0f;
 				changed = 1;
 			}
-		normal = p->rows[0].impulse + p->rows[1].impulse;
-		most = p->slides * normal;
+		float normal = p->rows[0].impulse + p->rows[1].impulse;
+		float most = p->slides * normal;
 		if (cni_abs(f->impulse) > p->sticks * normal) {
 			row_push(b, f, cni_clamp(f->impulse, -most, most) - f->impulse);
 			f->share *= CNI_PRELOAD_SLIDING_FACTOR;
@@ -216,10 +211,9 @@ static int32_t residual_is_below(const balance *b, float most)
 /* 0: the supports cannot hold the body. own: its weight. */
 static int32_t balance_solve(balance *b, float own)
 {
-	int32_t stage, round;
-	for (stage = 0; stage < 3; ++stage) {
+	for (int32_t stage = 0; stage < 3; ++stage) {
 		shares_set(b, stage);
-		for (round = 0; round < CNI_PRELOAD_ROUNDS; ++round)
+		for (int32_t round = 0; round < CNI_PRELOAD_ROUNDS; ++round)
 			if (!impulses_find(b) || !impulses_bound(b))
 				break;
 		if (residual_is_below(b, CNI_PRELOAD_RESIDUAL_GOOD * own))
@@ -232,13 +226,12 @@ static int32_t balance_solve(balance *b, float own)
 
 static void supports_load(const pile *q, const balance *b)
 {
-	int32_t k, i;
-	for (k = 0; k < b->count; ++k) {
+	for (int32_t k = 0; k < b->count; ++k) {
 		const support *p = &b->supports[k];
 		weight *w = &q->weights[p->below];
 		if (cni_motions(q->world)[p->below].inv_mass == 0.0f)
 			continue;
-		for (i = 0; i < 3; ++i) {
+		for (int32_t i = 0; i < 3; ++i) {
 			w->x += p->rows[i].x * p->rows[i].impulse;
 			w->y += p->rows[i].y * p->rows[i].impulse;
 			w->turn += p->rows[i].support_turn * p->rows[i].impulse;
@@ -254,10 +247,9 @@ static void supports_load(const pile *q, const balance *b)
 static void lanes_write(pile *q, const balance *b)
 {
 	float scale = 1.0f / q->warm_scale;
-	int32_t k, i;
-	for (k = 0; k < b->count; ++k) {
+	for (int32_t k = 0; k < b->count; ++k) {
 		const support *p = &b->supports[k];
-		for (i = 0; i < 2; ++i) {
+		for (int32_t i = 0; i < 2; ++i) {
 			cni_contact_row *r = &p->lanes->p[i];
 			r->jn[p->lane] = scale * p->rows[i].impulse;
 			r->load[p->lane] = q->count > 1 || p->sticks == p->slides ? r->jn[p->lane] : 0.0f;
@@ -271,9 +263,8 @@ static void lanes_write(pile *q, const balance *b)
 static int32_t is_leaning(const balance *b)
 {
 	float from = FLT_MAX, to = -FLT_MAX, sum = 0.0f, turn = 0.0f;
-	int32_t k, i;
-	for (k = 0; k < b->count; ++k)
-		for (i = 0; i < 2; ++i) {
+	for (int32_t k = 0; k < b->count; ++k)
+		for (int32_t i = 0; i < 2; ++i) {
 			const support *p = &b->supports[k];
 			if (p->lanes->p[i].nm[p->lane] <= 0.0f)
 				continue;
@@ -293,8 +284,7 @@ static float height_of(const cn_world *world, const cni_body *b)
 /* Starts each body with its own weight: the momentum from the forces of a substep. */
 static void weights_begin(const pile *q)
 {
-	int32_t k;
-	for (k = 0; k < q->count; ++k) {
+	for (int32_t k = 0; k < q->count; ++k) {
 		int32_t index = (int32_t)(q->order[k] & 0xFFFFFFFFu);
 		const cni_motion *m = cni_motions(q->world) + index;
 		const cni_external *d = cni_externals(q->world) + index;
@@ -311,11 +301,10 @@ static int32_t pile_solve(pile *q, int32_t write)
 {
 	balance b;
 	float g = q->weight_speed / q->h;
-	int32_t k;
 	weights_begin(q);
 	b.down_x = q->world->settings.gravity.x / g;
 	b.down_y = q->world->settings.gravity.y / g;
-	for (k = 0; k < q->count; ++k) {
+	for (int32_t k = 0; k < q->count; ++k) {
 		int32_t index = (int32_t)(q->order[k] & 0xFFFFFFFFu);
 		const cni_motion *m = cni_motions(q->world) + index;
 		const weight *w = &q->weights[index];
@@ -336,8 +325,7 @@ static int32_t pile_solve(pile *q, int32_t write)
 /* Sorts the bodies. The weights do not exist yet: their memory is the scratch of the sort. */
 static void order_find(pile *q, int32_t island)
 {
-	int32_t body;
-	for (body = cni_island_at(q->world, island)->first; body != CNI_NONE; body = cni_body_at(q->world, body)->island_next) {
+	for (int32_t body = cni_island_at(q->world, island)->first; body != CNI_NONE; body = cni_body_at(q->world, body)->island_next) {
 		const cni_body *b = cni_body_at(q->world, body);
 		q->order[q->count++] = (uint64_t)~cni_sort_float_key(height_of(q->world, b)) << 32 | (uint32_t)b->awake;
 	}
@@ -375,8 +363,7 @@ static void due_find(pile *q, int32_t index, int32_t island)
 
 static void piles_find(pile *q)
 {
-	int32_t k;
-	for (k = 1; k < q->world->awake_count; ++k) {
+	for (int32_t k = 1; k < q->world->awake_count; ++k) {
 		int32_t island = cni_awake_island(q->world, k);
 		q->count = 0;
 		due_find(q, k, island);

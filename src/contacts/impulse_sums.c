@@ -28,8 +28,7 @@
 static uint32_t lanes_with_hits(const cn_world *world, const cni_block_info *info)
 {
 	uint32_t lanes = 0;
-	int32_t l;
-	for (l = 0; l < CNI_LANES; ++l)
+	for (int32_t l = 0; l < CNI_LANES; ++l)
 		if (info->contact[l] != CNI_NONE)
 			lanes |= (cni_contact_at(world, info->contact[l])->flags >> CNI_CONTACT_EVENTS_SHIFT >> CN_EVENT_HIT & 1u) << l;
 	return lanes;
@@ -38,9 +37,9 @@ static uint32_t lanes_with_hits(const cn_world *world, const cni_block_info *inf
 /* Numbers the blocks with sums, clears these where there is memory for them already, and counts the blocks. */
 static int32_t blocks_number(const cn_world *world)
 {
-	int32_t color, block, count = 0;
-	for (color = 0; color < CNI_COLORS; ++color)
-		for (block = world->colors[color].first; block != CNI_NONE; block = cni_block_info_at(world, block)->next) {
+	int32_t count = 0;
+	for (int32_t color = 0; color < CNI_COLORS; ++color)
+		for (int32_t block = world->colors[color].first; block != CNI_NONE; block = cni_block_info_at(world, block)->next) {
 			cni_block_info *info = cni_block_info_at(world, block);
 			info->sums = info->flags & CNI_BLOCK_SUMS ? count++ : CNI_NONE;
 			if (info->sums != CNI_NONE && world->sums != NULL) {
@@ -82,19 +81,16 @@ static void lane_open(const sums_loop *loop, cni_block_sums *sums, int32_t l)
 	const cni_contact_block *k = cni_block_at(loop->world, sums->block);
 	const float *a = speed_of(loop, k->ia[l]), *b = speed_of(loop, k->ib[l]);
 	float n = k->nx[l] * (b[0] - a[0]) + k->ny[l] * (b[1] - a[1]);
-	int32_t p;
-	for (p = 0; p < 2; ++p)
+	for (int32_t p = 0; p < 2; ++p)
 		sums->closing[p][l] = -(n + b[2] * (k->p[p].at[l] - k->dt[l]) - a[2] * k->p[p].at[l]);
 }
 
 static void open_range(void *context, int32_t begin, int32_t end)
 {
 	const sums_loop *loop = (const sums_loop *)context;
-	int32_t k;
-	for (k = begin; k < end; ++k) {
+	for (int32_t k = begin; k < end; ++k) {
 		cni_block_sums *sums = loop->world->sums + k;
-		uint32_t left;
-		for (left = sums->hits; left != 0; left &= left - 1u)
+		for (uint32_t left = sums->hits; left != 0; left &= left - 1u)
 			lane_open(loop, sums, cni_bit_lowest32(left));
 	}
 }
@@ -162,16 +158,15 @@ void cni_impulse_sums_take(cn_world *world, int32_t contact, float first, float 
 static void take_range(void *context, int32_t begin, int32_t end)
 {
 	const sums_loop *loop = (const sums_loop *)context;
-	int32_t k, l;
-	for (k = begin; k < end; ++k) {
+	int32_t l;
+	for (int32_t k = begin; k < end; ++k) {
 		cni_block_sums *sums = loop->world->sums + k;
 		const cni_contact_block *block = cni_block_at(loop->world, sums->block);
-		uint32_t left;
 		for (l = 0; l < CNI_LANES; ++l)
 			sums->normal[l] += block->p[0].jn[l] + block->p[1].jn[l];
 		for (l = 0; l < CNI_LANES; ++l)
 			sums->friction[l] += block->jt[l];
-		for (left = sums->hits; left != 0; left &= left - 1u) {
+		for (uint32_t left = sums->hits; left != 0; left &= left - 1u) {
 			l = cni_bit_lowest32(left);
 			lane_blow(sums, l, block->p[0].jn[l], block->p[1].jn[l]);
 		}
@@ -182,8 +177,7 @@ static void take_range(void *context, int32_t begin, int32_t end)
 static void enters_add(const cn_world *world)
 {
 	const cni_array *log = &world->events.log[CN_EVENT_ENTER];
-	int32_t k;
-	for (k = 0; k < log->count; ++k) {
+	for (int32_t k = 0; k < log->count; ++k) {
 		const cni_contact *c = cni_contact_at(world, ((const cni_event *)log->data)[k].contact);
 		int32_t block = c->slot / CNI_LANES, l = c->slot % CNI_LANES;
 		if (cni_contact_has_lane(c) && cni_block_sums_at(world, block) == NULL) {
@@ -199,8 +193,7 @@ static void enters_add(const cn_world *world)
 static void enters_add_sums(cn_world *world)
 {
 	const cni_array *log = &world->events.log[CN_EVENT_ENTER];
-	int32_t k;
-	for (k = 0; k < log->count && world->sums != NULL; ++k) {
+	for (int32_t k = 0; k < log->count && world->sums != NULL; ++k) {
 		const cni_contact *c = cni_contact_at(world, ((const cni_event *)log->data + k)->contact);
 		const cni_block_sums *sums = cni_contact_has_lane(c) ? cni_block_sums_at(world, c->slot / CNI_LANES) : NULL;
 		if (sums != NULL)
@@ -231,12 +224,11 @@ static void lane_report(cn_world *world, const cni_block_sums *sums, int32_t l)
 
 void cni_impulse_sums_report(cn_world *world)
 {
-	int32_t k, l;
 	if (!world->sums_active)
 		return;
 	enters_add_sums(world);
-	for (k = 0; k < world->sums_count; ++k)
-		for (l = 0; l < CNI_LANES; ++l)
+	for (int32_t k = 0; k < world->sums_count; ++k)
+		for (int32_t l = 0; l < CNI_LANES; ++l)
 			lane_report(world, world->sums + k, l);
 	world->sums = NULL; /* the arena frees them when the step ends */
 	world->sums_count = world->sums_active = 0;

@@ -130,10 +130,9 @@ typedef struct reuse_change {
 /* Normals of two circles. */
 CNI_INLINE void centers_normal(const reuse_pair *f, cni_mask circles, reuse_change *g)
 {
-	cni_wide inv;
 	if (cni_mask_bits(circles) == 0)
 		return;
-	inv = 1.0f / cni_wide_sqrt(f->dx * f->dx + f->dy * f->dy);
+	cni_wide inv = 1.0f / cni_wide_sqrt(f->dx * f->dx + f->dy * f->dy);
 	g->nx = cni_wide_select(circles, f->dx * inv, g->nx);
 	g->ny = cni_wide_select(circles, f->dy * inv, g->ny);
 }
@@ -202,9 +201,8 @@ CNI_INLINE cni_mask reuse_holds(const cni_reuse_pass *pass, const reuse_pair *f,
 	cni_wide ahead = cni_wide_max(cni_wide_max(cni_wide_abs(un), cni_wide_abs(ut)), turn) * pass->dt; /* motion in the step */
 	cni_wide least = cni_wide_min(f->extent * CNI_REUSE_PART, cni_wide_of(pass->drift_most));
 	cni_wide most = cni_wide_select(exact, cni_wide_min(f->extent * CNI_REUSE_FACE_PART, cni_wide_of(pass->drift_most_of_faces)), least);
-	cni_wide reach;
 	most *= cni_wide_select(alone, cni_wide_of(CNI_REUSE_CORNER_PART), cni_wide_of(1.0f));
-	reach = cni_wide_max(least, cni_wide_min(most, CNI_REUSE_STEPS * ahead));
+	cni_wide reach = cni_wide_max(least, cni_wide_min(most, CNI_REUSE_STEPS * ahead));
 	return p->used & (cni_wide_max(cni_wide_abs(p->drift), second) <= reach) & (2.0f * f->extent * cni_wide_abs(g->sin) <= reach) &
 	       (nearest <= cni_wide_of(pass->apart_most)) & (nearest >= -cni_wide_min(0.25f * f->extent, cni_wide_of(pass->depth_most))) &
 	       (ahead <= cni_wide_select(nearest > cni_wide_of(pass->tiny), cni_wide_of(pass->hair), most));
@@ -253,8 +251,7 @@ CNI_INLINE uint32_t reuse_group(const cni_reuse_pass *pass, cni_contact_block *k
 static uint32_t kernel_reuse(const cni_reuse_pass *pass, cni_contact_block *k, const cni_block_info *info, const cni_block_anchor *anchor, const cni_reuse_bodies *bodies, uint32_t anchored)
 {
 	uint32_t reused = 0;
-	int32_t l;
-	for (l = 0; l < CNI_LANES && CNI_ON(MANIFOLD_REUSE); l += CNI_WIDTH) {
+	for (int32_t l = 0; l < CNI_LANES && CNI_ON(MANIFOLD_REUSE); l += CNI_WIDTH) {
 		uint32_t lanes = anchored & ((1u << CNI_WIDTH) - 1u) << l;
 		if (lanes != 0)
 			reused |= reuse_group(pass, k, info, anchor, bodies, lanes, l);

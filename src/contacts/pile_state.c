@@ -13,8 +13,7 @@ static int32_t body_is_slower(const cn_world *world, const cni_body *b, cni_vec2
 
 static int32_t bodies_are_slower(const cn_world *world, const cni_island *i, cni_vec2 frame, float most)
 {
-	int32_t body;
-	for (body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
+	for (int32_t body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
 		if (!body_is_slower(world, cni_body_at(world, body), frame, most))
 			return 0;
 	return 1;
@@ -26,21 +25,19 @@ static int32_t bodies_are_slower(const cn_world *world, const cni_island *i, cni
 static int32_t carries(const cn_world *world, int32_t body, const cni_body *other, cni_vec2 *velocity)
 {
 	const cni_body *b = body == CNI_NONE ? NULL : cni_body_at(world, body);
-	const cni_motion *m;
 	if (b == NULL || b->type != CN_BODY_KINEMATIC || b->awake == CNI_NONE)
 		return 0;
-	m = cni_motions(world) + b->awake;
+	const cni_motion *m = cni_motions(world) + b->awake;
 	*velocity = cni_v(m->vx - m->w * (other->cy - b->cy), m->vy + m->w * (other->cx - b->cx));
 	return cni_abs(m->w) <= CNI_CARRIER_SPIN && (m->vx != 0.0f || m->vy != 0.0f);
 }
 
 static int32_t is_carried(const cn_world *world, const cni_body *b, cni_vec2 *velocity)
 {
-	int32_t key;
-	for (key = b->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1])
+	for (int32_t key = b->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1])
 		if (cni_contact_has_lane(cni_contact_of_key(world, key)) && carries(world, cni_contact_of_key(world, key)->body[1 - (key & 1)], b, velocity))
 			return 1;
-	for (key = b->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1])
+	for (int32_t key = b->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1])
 		if (carries(world, cni_joint_at(world, key >> 1)->body[1 - (key & 1)], b, velocity))
 			return 1;
 	return 0;
@@ -52,11 +49,10 @@ static cni_vec2 frame_find(const cn_world *world, const cni_island *i)
 	const cni_body *first = cni_body_at(world, i->first);
 	const cni_motion *m = cni_motions(world) + first->awake;
 	cni_vec2 zero = { 0.0f, 0.0f }, velocity = zero;
-	int32_t body;
 	if (body_is_slower(world, first, zero, CNI_REST_SPEED * world->settings.length_unit) ||
 	    !bodies_are_slower(world, i, cni_v(m->vx, m->vy), 2.0f * CNI_PILE_QUIET_SPEED * world->settings.length_unit))
 		return zero;
-	for (body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
+	for (int32_t body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
 		if (is_carried(world, cni_body_at(world, body), &velocity))
 			return velocity;
 	return zero;
@@ -98,8 +94,7 @@ int32_t cni_body_is_jointed(const cn_world *world, const cni_body *b)
 
 int32_t cni_island_has_joints(const cn_world *world, int32_t island)
 {
-	int32_t body;
-	for (body = cni_island_at(world, island)->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
+	for (int32_t body = cni_island_at(world, island)->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
 		if (cni_body_is_jointed(world, cni_body_at(world, body)))
 			return 1;
 	return 0;

@@ -57,8 +57,7 @@ static const float *record_of(const cn_world *world, int32_t index)
 /* Adds the lane's extra rows. Once one lane has extra rows, the others point to zero rows. */
 static void extra_add(cni_impact_lanes *lanes, const cni_block_extra *extra, int32_t from, int32_t l)
 {
-	int32_t k;
-	for (k = 0; k < CNI_LANES && !lanes->has_extra; ++k)
+	for (int32_t k = 0; k < CNI_LANES && !lanes->has_extra; ++k)
 		lanes->extra[k] = lane_floats(&no_extra, 0);
 	lanes->has_extra = 1;
 	lanes->extra[l] = lane_floats(extra, from);
@@ -81,8 +80,7 @@ static void lane_add(const cn_world *world, const cni_listed_block *b, int32_t f
 /* Fills the unused lanes from count on. */
 static void lanes_end(cni_impact_lanes *lanes, int32_t count)
 {
-	int32_t l;
-	for (l = count; l < CNI_LANES; ++l) {
+	for (int32_t l = count; l < CNI_LANES; ++l) {
 		lanes->ia[l] = lanes->ib[l] = 0;
 		lanes->restitution[l] = 0.0f;
 		lanes->rows[l] = lane_floats(&no_rows, 0);
@@ -138,7 +136,6 @@ static void found_solve(const color_sweep *c, found_lanes *found)
 	const cni_contact_kernel *kernel = found->count <= LANES_FEW ? &cni_contact_kernel_plain : c->kernel;
 	cni_impact_pass pass = c->pass;
 	cni_impact_record record;
-	int32_t l;
 	if (kernel != &cni_contact_kernel_plain)
 		lanes_end(&found->lanes, found->count);
 	if (c->world->sums_active) {
@@ -146,7 +143,7 @@ static void found_solve(const color_sweep *c, found_lanes *found)
 		pass.record = &record;
 	}
 	found->hits += kernel->impact(&pass, &found->lanes, found->count);
-	for (l = 0; l < found->count && pass.record != NULL; ++l)
+	for (int32_t l = 0; l < found->count && pass.record != NULL; ++l)
 		impact_add(c->world, found->block[l], found->from[l], &record, l);
 	found_begin(found);
 }
@@ -169,14 +166,13 @@ static void color_sweep_run(void *context, int32_t begin, int32_t end)
 {
 	color_sweep *c = (color_sweep *)context;
 	found_lanes found;
-	int32_t from, k;
 	found.hits = 0;
 	found_begin(&found);
-	for (from = begin; from < end; from += BLOCKS_AT_ONCE) {
+	for (int32_t from = begin; from < end; from += BLOCKS_AT_ONCE) {
 		uint32_t closing[BLOCKS_AT_ONCE];
 		int32_t count = cni_min_i(end - from, BLOCKS_AT_ONCE);
 		c->kernel->closing(c->pass.starts, c->blocks + from, count, c->pass.speed, c->since, closing);
-		for (k = 0; k < count; ++k)
+		for (int32_t k = 0; k < count; ++k)
 			if (closing[k] != 0)
 				found_add(c, &found, &c->blocks[from + k], closing[k]);
 	}
@@ -190,12 +186,11 @@ static void color_sweep_run(void *context, int32_t begin, int32_t end)
 static void overflow_sweep(color_sweep *c, int32_t count)
 {
 	found_lanes found;
-	int32_t k, l;
 	found.hits = 0;
 	found_begin(&found);
 	c->kernel = &cni_contact_kernel_plain;
-	for (k = 0; k < count; ++k)
-		for (l = 0; l < c->blocks[k].lanes; ++l) {
+	for (int32_t k = 0; k < count; ++k)
+		for (int32_t l = 0; l < c->blocks[k].lanes; ++l) {
 			cni_listed_block lane = c->blocks[k];
 			uint32_t closing;
 			lane.begin = (cni_listed_number)l;
@@ -214,8 +209,7 @@ static uint32_t sweep(cn_world *world, const cni_solve *s, int32_t number)
 {
 	const cni_impact_pass pass = { cni_motions(world), cni_starts(world), cni_externals(world), s->h, s->restitution_threshold, HIT_MARK(number), 0, NULL };
 	color_sweep c = { world, s->kernel, pass, number == 0 ? 0.0f : HIT_MARK(number - 1), world->awake_count >= BODIES_MANY, NULL, 0 };
-	uint32_t left;
-	for (left = s->contact_colors & ~(1u << CNI_COLOR_OVERFLOW); left != 0; left &= left - 1u) {
+	for (uint32_t left = s->contact_colors & ~(1u << CNI_COLOR_OVERFLOW); left != 0; left &= left - 1u) {
 		int32_t color = cni_bit_lowest32(left);
 		c.pass.one_sided = color >= CNI_COLOR_STATIC;
 		c.blocks = cni_listed_blocks(world, color);
@@ -228,8 +222,7 @@ static uint32_t sweep(cn_world *world, const cni_solve *s, int32_t number)
 
 void cni_contacts_impact(cn_world *world, const cni_solve *s)
 {
-	int32_t k;
-	for (k = 0; k < CNI_RESTITUTION_SWEEPS && s->bounces; ++k)
+	for (int32_t k = 0; k < CNI_RESTITUTION_SWEEPS && s->bounces; ++k)
 		if (sweep(world, s, k) == 0)
 			return;
 }

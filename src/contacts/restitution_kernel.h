@@ -207,21 +207,18 @@ CNI_INLINE void impact_record(const cni_impact_pass *pass, int32_t l, cni_mask h
 
 static int32_t kernel_impact(const cni_impact_pass *pass, const cni_impact_lanes *k, int32_t count)
 {
-	int32_t l, hits = 0;
-	for (l = 0; l < count; l += CNI_WIDTH) {
+	int32_t hits = 0;
+	for (int32_t l = 0; l < count; l += CNI_WIDTH) {
 		impact_lanes c;
 		impact_point p, q;
-		impact_impulse impulse;
-		cni_wide jt;
-		uint32_t lanes;
 		impact_lanes_make(&c, pass, k, l);
 		p = impact_point_make(&c, pass, k, offsetof(cni_contact_block, p[0]), l);
 		q = impact_point_make(&c, pass, k, offsetof(cni_contact_block, p[1]), l);
-		lanes = cni_mask_bits(p.hits | q.hits) & ((1u << (count - l)) - 1u);
+		uint32_t lanes = cni_mask_bits(p.hits | q.hits) & ((1u << (count - l)) - 1u);
 		if (lanes == 0)
 			continue;
-		impulse = impact_solve(&c, &p, &q);
-		jt = impact_apply(&c, pass, k, l, &impulse, cni_mask_of_bits(lanes), count - l >= CNI_WIDTH);
+		impact_impulse impulse = impact_solve(&c, &p, &q);
+		cni_wide jt = impact_apply(&c, pass, k, l, &impulse, cni_mask_of_bits(lanes), count - l >= CNI_WIDTH);
 		if (pass->record != NULL)
 			impact_record(pass, l, cni_mask_of_bits(lanes), &p, &q, impulse.jn, jt);
 		hits += cni_bit_count64(lanes);

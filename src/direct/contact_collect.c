@@ -44,7 +44,7 @@ static void friction_guess(cni_direct_contact *p)
 void cni_direct_contact_read(const cn_world *world, const cni_contact *c, cni_direct_contact *p)
 {
 	const cni_contact_block *k = cni_block_at(world, c->slot / CNI_LANES);
-	int32_t l = c->slot % CNI_LANES, i;
+	int32_t l = c->slot % CNI_LANES;
 	memset(p, 0, sizeof *p);
 	p->block = c->slot / CNI_LANES;
 	p->lane = l;
@@ -61,7 +61,7 @@ void cni_direct_contact_read(const cn_world *world, const cni_contact *c, cni_di
 	p->untouched = 1;
 	p->mass[2] = k->tm[l];
 	p->j[2] = p->first[2] = k->jt[l];
-	for (i = 0; i < 2; ++i) {
+	for (int32_t i = 0; i < 2; ++i) {
 		p->at[i] = k->p[i].at[l];
 		p->an[i] = k->p[i].an[l];
 		p->s0[i] = k->p[i].s0[l];
@@ -78,23 +78,23 @@ void cni_direct_contact_read(const cn_world *world, const cni_contact *c, cni_di
 static int32_t bounces(const cn_world *world, const cni_contact *c)
 {
 	cni_direct_contact p;
-	int32_t i, fast = 0;
+	int32_t fast = 0;
 	if (cni_block_info_at(world, c->slot / CNI_LANES)->restitution[c->slot % CNI_LANES] <= 0.0f)
 		return 0;
 	cni_direct_contact_read(world, c, &p);
-	for (i = 0; i < 2; ++i)
+	for (int32_t i = 0; i < 2; ++i)
 		fast |= p.mass[i] > 0.0f && cni_direct_contact_speed(&p, i, cni_motions(world) + p.ia, cni_motions(world) + p.ib) < -world->settings.restitution_threshold;
 	return fast;
 }
 
 int32_t cni_direct_contacts_collect(const cn_world *world, int32_t island, int32_t *contacts, int32_t room)
 {
-	int32_t body, key, count = 0;
-	for (body = cni_island_at(world, island)->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
-		for (key = cni_body_at(world, body)->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
+	int32_t count = 0;
+	for (int32_t body = cni_island_at(world, island)->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
+		for (int32_t key = cni_body_at(world, body)->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
 			const cni_contact *c = cni_contact_of_key(world, key);
 			int32_t other = c->body[1 - (key & 1)];
-			if (!(c->flags & CNI_CONTACT_TOUCHING) || c->slot == CNI_NONE)
+			if (!cni_contact_has_lane(c))
 				continue;
 			if (cni_body_at(world, other)->type == CN_BODY_DYNAMIC && (key & 1))
 				continue; /* collected at its other body */
@@ -112,10 +112,9 @@ int32_t cni_direct_contacts_collect(const cn_world *world, int32_t island, int32
 static void lane_write(cn_world *world, const cni_direct_contact *p, const float mass[3], const float j[3], const float load[2])
 {
 	cni_contact_block *block = cni_block_at(world, p->block);
-	int32_t i;
 	block->tm[p->lane] = mass[2];
 	block->jt[p->lane] = j[2];
-	for (i = 0; i < 2; ++i) {
+	for (int32_t i = 0; i < 2; ++i) {
 		block->p[i].nm[p->lane] = mass[i];
 		block->p[i].jn[p->lane] = j[i];
 		block->p[i].load[p->lane] = load[i];
@@ -125,8 +124,7 @@ static void lane_write(cn_world *world, const cni_direct_contact *p, const float
 void cni_direct_contacts_extract(cn_world *world, cni_sparse *sparse)
 {
 	const float idle[3] = { 0.0f, 0.0f, 0.0f };
-	int32_t k;
-	for (k = 0; k < sparse->contact_count; ++k) {
+	for (int32_t k = 0; k < sparse->contact_count; ++k) {
 		const cni_direct_contact *p = &sparse->contacts[k];
 		lane_write(world, p, idle, idle, idle);
 		if (cni_block_info_at(world, p->block)->flags & CNI_BLOCK_EXTRA)
@@ -137,8 +135,7 @@ void cni_direct_contacts_extract(cn_world *world, cni_sparse *sparse)
 /* Lanes of extracted contacts hold no impulses: theirs are added here. */
 void cni_direct_sum_impulses(cn_world *world, const cni_sparse *sparse)
 {
-	int32_t k;
-	for (k = 0; k < sparse->contact_count; ++k) {
+	for (int32_t k = 0; k < sparse->contact_count; ++k) {
 		const cni_direct_contact *p = &sparse->contacts[k];
 		if (p->node != CNI_NONE)
 			cni_impulse_sums_take(world, cni_block_info_at(world, p->block)->contact[p->lane], p->j[0], p->j[1], p->j[2]);
@@ -154,15 +151,13 @@ static void contact_restore(cn_world *world, cni_direct_contact *p)
 
 void cni_direct_contacts_restore(cn_world *world, cni_sparse *sparse, const cni_component *c)
 {
-	int32_t k;
-	for (k = c->contact_begin; k < c->contact_end; ++k)
+	for (int32_t k = c->contact_begin; k < c->contact_end; ++k)
 		contact_restore(world, &sparse->contacts[k]);
 }
 
 void cni_direct_contacts_restore_all(cn_world *world, cni_sparse *sparse, float h)
 {
-	int32_t k;
-	for (k = 0; k < sparse->contact_count; ++k) {
+	for (int32_t k = 0; k < sparse->contact_count; ++k) {
 		cni_direct_contact *p = &sparse->contacts[k];
 		if (p->node == CNI_NONE)
 			continue;

@@ -18,8 +18,7 @@
 static void commit(const cni_direct_contact_pass *q)
 {
 	cni_direct_contact *p;
-	int32_t k;
-	for (k = q->c->begin; k < q->c->end; ++k) {
+	for (int32_t k = q->c->begin; k < q->c->end; ++k) {
 		const cni_node *n = &q->sparse->nodes[k];
 		if (n->owner >= 0)
 			cni_node_impulses_add(n, cni_joint_constraints(q->world)[n->owner].rows, n->total, 1.0f);
@@ -34,13 +33,12 @@ static void commit(const cni_direct_contact_pass *q)
 /* Saves impulses and velocities at the beginning of a pass (restore 0), or restores them (1). */
 static void state_save(const cni_direct_contact_pass *q, int32_t restore)
 {
-	int32_t k, i;
 	cni_direct_motions_save(q->world, q->sparse, q->c, restore);
-	for (k = q->c->begin; k < q->c->end; ++k) {
+	for (int32_t k = q->c->begin; k < q->c->end; ++k) {
 		cni_node *n = &q->sparse->nodes[k];
 		cni_direct_contact *p = cni_direct_contact_of(q->sparse, n);
 		cni_row *rows = p == NULL ? cni_joint_constraints(q->world)[n->owner].rows : NULL;
-		for (i = 0; i < n->rows; ++i) {
+		for (int32_t i = 0; i < n->rows; ++i) {
 			float *impulse = p != NULL ? &p->j[i] : &rows[i].impulse;
 			*(restore ? impulse : &n->carried[i]) = restore ? n->carried[i] : *impulse;
 		}
@@ -51,9 +49,8 @@ static void state_save(const cni_direct_contact_pass *q, int32_t restore)
 static void impulses_scale(const cni_direct_contact_pass *q)
 {
 	cni_direct_contact *p;
-	int32_t i;
 	for (p = q->first; p < q->end; ++p)
-		for (i = 0; p->untouched && i < 3; ++i)
+		for (int32_t i = 0; p->untouched && i < 3; ++i)
 			p->j[i] = q->s->warm_scale * p->first[i];
 }
 
@@ -65,7 +62,7 @@ static void impulses_scale(const cni_direct_contact_pass *q)
  */
 static void soft_state_restore(const cni_direct_contact_pass *q)
 {
-	int32_t i, all = q->c->joints == 0;
+	int32_t all = q->c->joints == 0;
 	float part = 1.0f;
 	cni_direct_contact *p;
 	if (all)
@@ -79,7 +76,7 @@ static void soft_state_restore(const cni_direct_contact_pass *q)
 		if (!all && !p->untouched)
 			continue;
 		p->untouched = 1;
-		for (i = 0; i < 3; ++i) {
+		for (int32_t i = 0; i < 3; ++i) {
 			p->j[i] = part * q->s->warm_scale * p->first[i];
 			if (i < 2)
 				p->load[i] *= part * q->s->warm_scale;
@@ -115,8 +112,7 @@ enum moment { NOW, SUBSTEP_BEGIN, STEP_BEGIN };
 static float energy_of(const cni_direct_contact_pass *q, enum moment moment)
 {
 	float sum = 0.0f;
-	int32_t k;
-	for (k = q->c->body_begin; k < q->c->body_end; ++k) {
+	for (int32_t k = q->c->body_begin; k < q->c->body_end; ++k) {
 		const int32_t index = q->sparse->bodies[k];
 		const cni_motion *m = q->motions + index;
 		const cni_velocity_start *v = cni_starts(q->world) + index;
@@ -131,8 +127,7 @@ static float energy_of(const cni_direct_contact_pass *q, enum moment moment)
 static float energy_at_speed(const cni_direct_contact_pass *q, float speed)
 {
 	float mass = 0.0f;
-	int32_t k;
-	for (k = q->c->body_begin; k < q->c->body_end; ++k)
+	for (int32_t k = q->c->body_begin; k < q->c->body_end; ++k)
 		mass += cni_inverse_or_zero(q->motions[q->sparse->bodies[k]].inv_mass);
 	return mass * speed * speed;
 }
@@ -154,9 +149,8 @@ static float push_work(const cni_direct_contact_pass *q)
 {
 	const cni_direct_contact *p;
 	float sum = 0.0f;
-	int32_t i;
 	for (p = q->first; p < q->end; ++p)
-		for (i = 0; i < 2; ++i)
+		for (int32_t i = 0; i < 2; ++i)
 			sum += 2.0f * p->j[i] * cni_max(-p->gap_speed[i], 0.0f);
 	return sum;
 }
@@ -197,10 +191,9 @@ static int32_t contact_starts_moving(const cni_direct_contact_pass *q, const cni
 {
 	const cni_motion *a = q->motions + p->ia, *b = q->motions + p->ib;
 	float most = CNI_DIRECT_PARTING * q->speed_least;
-	int32_t i;
 	if (p->state[2] == CNI_ROW_SLIDES && cni_abs(cni_direct_contact_speed(p, 2, a, b)) > most)
 		return 1;
-	for (i = 0; i < 2; ++i)
+	for (int32_t i = 0; i < 2; ++i)
 		if (p->state[i] == CNI_ROW_OPEN && p->mass[i] > 0.0f && p->gap_speed[i] < most && cni_direct_contact_speed(p, i, a, b) > most)
 			return 1;
 	return 0;

@@ -239,7 +239,8 @@ static int32_t is_ill_scaled(cn_world *world, const cni_solve *s, cni_sparse *sp
 static void rattle_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c)
 {
 	int32_t held = c->loops && cni_component_held(world, sparse, c) > 0;
-	if (held && is_redundant(world, s, sparse, c, CNI_RATTLE_REDUNDANT * (cni_component_is_braced(world, sparse, c) ? CNI_RATTLE_BRACED : 1.0f)))
+	float bodies = held && cni_component_is_braced(world, sparse, c) ? (float)(c->body_end - c->body_begin) : 0.0f;
+	if (held && is_redundant(world, s, sparse, c, CNI_RATTLE_REDUNDANT * cni_max(CNI_RATTLE_BRACED * bodies, 1.0f)))
 		c->uses_rattle = 0;
 	else
 		cni_sparse_clear(sparse, c);

@@ -78,10 +78,9 @@ static int32_t full_work_is_allowed(const cn_world *world)
 /* 1: a joint of its island asks for the limits of CN_SOLVER_DIRECT. */
 static int32_t joint_has_full_work(const cn_world *world, const cni_joint_constraint *w)
 {
-	int32_t island;
 	if (!world->overridden || !full_work_is_allowed(world))
 		return 0;
-	island = cni_joint_island(world, w->ia, w->ib);
+	int32_t island = cni_joint_island(world, w->ia, w->ib);
 	return island == CNI_NONE ? w->record->solver == CN_SOLVER_DIRECT : cni_island_at(world, island)->joints_solver == CN_SOLVER_DIRECT;
 }
 
@@ -97,8 +96,8 @@ static int32_t constraint_is_eligible(const cn_world *world, const cni_joint_con
 
 static int32_t joint_links_collect(const cn_world *world, cni_link *links)
 {
-	int32_t k, count = 0;
-	for (k = 0; k < world->awake_joints.count; ++k) {
+	int32_t count = 0;
+	for (int32_t k = 0; k < world->awake_joints.count; ++k) {
 		const cni_joint_constraint *w = cni_joint_constraints(world) + k;
 		cni_link *link = &links[count];
 		if (!constraint_is_eligible(world, w))
@@ -119,8 +118,8 @@ static int32_t joint_links_collect(const cn_world *world, cni_link *links)
 static int32_t contacts_collect(cn_world *world, int32_t *contacts, int32_t room)
 {
 	const int32_t *islands = (const int32_t *)world->direct_islands.data;
-	int32_t k, all = 0;
-	for (k = 0; k < world->direct_islands.count; ++k) {
+	int32_t all = 0;
+	for (int32_t k = 0; k < world->direct_islands.count; ++k) {
 		int32_t count = cni_direct_contacts_collect(world, islands[k], contacts + all, room - all);
 		if (count < 0)
 			cni_island_refuse(world, islands[k], -count);
@@ -143,8 +142,7 @@ static int32_t contact_link_work(const cn_world *world, const cni_link *link)
 
 static void contact_links_make(const cn_world *world, const int32_t *contacts, int32_t count, cni_link *links)
 {
-	int32_t k;
-	for (k = 0; k < count; ++k) {
+	for (int32_t k = 0; k < count; ++k) {
 		int32_t slot = cni_contact_at(world, contacts[k])->slot;
 		cni_link *link = &links[k];
 		link->ia = cni_block_at(world, slot / CNI_LANES)->ia[slot % CNI_LANES];
@@ -160,8 +158,8 @@ static void contact_links_make(const cn_world *world, const int32_t *contacts, i
 /* Refuses islands with unplanned contacts. Returns the number of unplanned contact links. */
 static int32_t islands_refuse(cn_world *world, const cni_link *links, int32_t count, const uint8_t *planned)
 {
-	int32_t k, refused = 0;
-	for (k = 0; k < count; ++k) {
+	int32_t refused = 0;
+	for (int32_t k = 0; k < count; ++k) {
 		int32_t island = planned[k] || links[k].ia + links[k].ib == 0 ? CNI_NONE : island_of(world, &links[k]);
 		if (island != CNI_NONE && cni_island_at(world, island)->tier == CNI_TIER_DIRECT)
 			cni_island_refuse(world, island, CN_TIER_REASON_WORK);
@@ -173,8 +171,8 @@ static int32_t islands_refuse(cn_world *world, const cni_link *links, int32_t co
 /* Removes the contacts of refused islands, so that their joints can be planned without them. */
 static int32_t links_filter(const cn_world *world, cni_link *links, int32_t count)
 {
-	int32_t k, kept = 0;
-	for (k = 0; k < count; ++k)
+	int32_t kept = 0;
+	for (int32_t k = 0; k < count; ++k)
 		if (links[k].owner >= 0 || cni_island_at(world, island_of(world, &links[k]))->tier == CNI_TIER_DIRECT)
 			links[kept++] = links[k];
 	return kept;
@@ -185,20 +183,18 @@ static int32_t links_filter(const cn_world *world, cni_link *links, int32_t coun
 static void impulses_forget(cn_world *world, cni_joint_constraint *w)
 {
 	cni_joint *j = cni_joint_at(world, w->joint);
-	int32_t i;
 	if (!j->trust.direct)
 		return;
 	j->trust.direct = 0;
 	memset(j->impulse, 0, sizeof j->impulse);
-	for (i = 0; i < w->row_count; ++i)
+	for (int32_t i = 0; i < w->row_count; ++i)
 		w->rows[i].impulse = 0.0f;
 }
 
 /* Flags the joint constraints in the plan. */
 static void joints_mark(cn_world *world, const cni_link *links, int32_t count, const uint8_t *planned)
 {
-	int32_t k;
-	for (k = 0; k < count; ++k) {
+	for (int32_t k = 0; k < count; ++k) {
 		if (links[k].owner < 0)
 			continue;
 		if (planned[k])
@@ -226,9 +222,8 @@ static void costly_release(cn_world *world, cni_sparse *sparse, cni_component *c
 /* Reads the contacts of a component's nodes in their order, and renumbers them. */
 static void contacts_read(const cn_world *world, const int32_t *contacts, cni_sparse *out, cni_component *c)
 {
-	int32_t k;
 	c->contact_begin = out->contact_count;
-	for (k = c->begin; k < c->end && c->has_contacts; ++k) {
+	for (int32_t k = c->begin; k < c->end && c->has_contacts; ++k) {
 		cni_direct_contact *p = &out->contacts[out->contact_count];
 		if (out->nodes[k].owner >= 0)
 			continue;
@@ -278,15 +273,13 @@ static int32_t scratch_take(cn_world *world, cni_sparse *out, int32_t contacts)
 
 int32_t cni_direct_plan(cn_world *world, cni_sparse *out)
 {
-	int32_t room = contacts_most(world), joints = world->awake_joints.count, contact_count, count, k;
+	int32_t room = contacts_most(world), joints = world->awake_joints.count, contact_count, count;
 	int32_t *contacts = (int32_t *)cni_arena_push(&world->arena, sizeof(int32_t) * (uint64_t)room);
-	cni_link *links;
-	uint8_t *planned;
 	if (contacts == NULL)
 		return 0;
 	contact_count = contacts_collect(world, contacts, room);
-	links = (cni_link *)cni_arena_push(&world->arena, sizeof(cni_link) * (uint64_t)(joints + contact_count));
-	planned = links == NULL ? NULL : (uint8_t *)cni_arena_push(&world->arena, (uint64_t)(joints + contact_count));
+	cni_link *links = (cni_link *)cni_arena_push(&world->arena, sizeof(cni_link) * (uint64_t)(joints + contact_count));
+	uint8_t *planned = links == NULL ? NULL : (uint8_t *)cni_arena_push(&world->arena, (uint64_t)(joints + contact_count));
 	if (planned == NULL)
 		return 0;
 	count = joint_links_collect(world, links);
@@ -308,7 +301,7 @@ int32_t cni_direct_plan(cn_world *world, cni_sparse *out)
 	if (!scratch_take(world, out, contact_count))
 		return 0;
 	joints_mark(world, links, count, planned);
-	for (k = 0; k < out->component_count; ++k) {
+	for (int32_t k = 0; k < out->component_count; ++k) {
 		cni_component *c = &out->components[k];
 		c->has_contacts = c->joints < c->end - c->begin;
 		contacts_read(world, contacts, out, c);

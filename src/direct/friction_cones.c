@@ -68,8 +68,7 @@ static float slack_mass(const cni_direct_contact *p, int32_t i)
 
 static void rows_push(const cone *q, const cni_direct_contact *p, const float change[3])
 {
-	int32_t i;
-	for (i = 0; i < 3; ++i)
+	for (int32_t i = 0; i < 3; ++i)
 		cni_direct_contact_push(p, i, change[i], q->pass->motions + p->ia, q->pass->motions + p->ib);
 }
 
@@ -77,8 +76,7 @@ static void rows_push(const cone *q, const cni_direct_contact *p, const float ch
 static void speeds_of(const cone *q, const cni_direct_contact *p, float out[3])
 {
 	const cni_motion *a = q->pass->motions + p->ia, *b = q->pass->motions + p->ib;
-	int32_t i;
-	for (i = 0; i < 3; ++i)
+	for (int32_t i = 0; i < 3; ++i)
 		out[i] = row_exists(p, i) ? cni_direct_contact_speed(p, i, a, b) + (i < 2 ? p->gap_speed[i] + p->lift : 0.0f) + cni_direct_contact_leak(p, i) : 0.0f;
 }
 
@@ -86,8 +84,7 @@ static void speeds_of(const cone *q, const cni_direct_contact *p, float out[3])
 static void contact_warm_start(const cone *q, cni_direct_contact *p)
 {
 	float change[3];
-	int32_t i;
-	for (i = 0; i < 3; ++i) {
+	for (int32_t i = 0; i < 3; ++i) {
 		p->j[i] = q->pass->sparse->nodes[p->node].carried[i];
 		change[i] = p->j[i] - p->start[i];
 	}
@@ -101,12 +98,11 @@ static void warm_start(cone *q)
 {
 	const cni_direct_contact_pass *pass = q->pass;
 	cni_direct_contact *p;
-	int32_t k, i;
-	for (k = pass->c->begin; k < pass->c->end; ++k)
+	for (int32_t k = pass->c->begin; k < pass->c->end; ++k)
 		memset(pass->sparse->nodes[k].total, 0, sizeof pass->sparse->nodes[k].total);
 	for (p = pass->first; p < pass->end; ++p) {
 		contact_warm_start(q, p);
-		for (i = 0; i < 4; ++i)
+		for (int32_t i = 0; i < 4; ++i)
 			q->count += slack_exists(p, i);
 	}
 }
@@ -116,19 +112,18 @@ static void warm_start(cone *q)
 static void contact_center(const cone *q, cni_direct_contact *p, float speed)
 {
 	float speeds[3], most;
-	int32_t i;
 	speeds_of(q, p, speeds);
-	for (i = 0; i < 3; ++i)
+	for (int32_t i = 0; i < 3; ++i)
 		p->start[i] = -p->j[i];
-	for (i = 0; i < 2; ++i)
+	for (int32_t i = 0; i < 2; ++i)
 		p->j[i] = row_exists(p, i) ? cni_max(p->j[i], 3.0f * q->tau * p->mass[i] / cni_max(speed, speeds[i])) : 0.0f;
 	most = CNI_CONE_INSIDE_PART * p->coefficient * (p->j[0] + p->j[1]);
 	p->j[2] = row_exists(p, 2) ? cni_clamp(p->j[2], -most, most) : 0.0f;
-	for (i = 0; i < 3; ++i)
+	for (int32_t i = 0; i < 3; ++i)
 		p->start[i] += p->j[i];
 	slacks_of(p, p->j, p->slack);
 	memset(p->cross, 0, sizeof p->cross);
-	for (i = 0; i < 4; ++i)
+	for (int32_t i = 0; i < 4; ++i)
 		p->dual[i] = slack_exists(p, i) ? q->tau * slack_mass(p, i) / p->slack[i] : 0.0f;
 }
 
@@ -158,11 +153,10 @@ static float stiffness_of(const cni_direct_contact *p, int32_t i)
 /* Updates the residual: the rows' speeds less their multipliers; and the complementarity violation. */
 static void contact_residuals(cone *q, const cni_direct_contact *p, const float speeds[3])
 {
-	int32_t i;
-	for (i = 0; i < 2; ++i)
+	for (int32_t i = 0; i < 2; ++i)
 		q->residual = cni_max(q->residual, row_exists(p, i) ? cni_abs(speeds[i] - p->dual[i] - p->coefficient * (p->dual[2] + p->dual[3])) : 0.0f);
 	q->residual = cni_max(q->residual, row_exists(p, 2) ? cni_abs(speeds[2] + p->dual[2] - p->dual[3]) : 0.0f);
-	for (i = 0; i < 4; ++i)
+	for (int32_t i = 0; i < 4; ++i)
 		if (slack_exists(p, i))
 			q->violation = cni_max(q->violation, cni_min(p->dual[i], p->slack[i] / slack_mass(p, i)));
 }
@@ -173,10 +167,9 @@ static void contact_newton(cone *q, cni_direct_contact *p)
 	cni_node *n = &q->pass->sparse->nodes[p->node];
 	float d2 = stiffness_of(p, 2), d3 = stiffness_of(p, 3), speeds[3], push[4], both, lift;
 	cni_lever friction = cni_direct_contact_lever(p, 2);
-	int32_t i;
 	speeds_of(q, p, speeds);
 	contact_residuals(q, p, speeds);
-	for (i = 0; i < 4; ++i)
+	for (int32_t i = 0; i < 4; ++i)
 		push[i] = slack_exists(p, i) ? (q->tau * slack_mass(p, i) - p->cross[i]) / p->slack[i] : 0.0f;
 	lift = p->coefficient * (push[2] + push[3]);
 	p->slope = d2 + d3 > 0.0f ? p->coefficient * (d2 - d3) / (d2 + d3) : 0.0f;
@@ -184,7 +177,7 @@ static void contact_newton(cone *q, cni_direct_contact *p)
 	memset(&n->levers, 0, sizeof n->levers);
 	n->x[2] = row_exists(p, 2) ? push[3] - push[2] - speeds[2] : 0.0f;
 	n->compliance[2] = d2 + d3;
-	for (i = 0; i < 2; ++i) {
+	for (int32_t i = 0; i < 2; ++i) {
 		n->x[i] = row_exists(p, i) ? push[i] + lift - speeds[i] + p->slope * n->x[2] : 0.0f;
 		n->compliance[i] = row_exists(p, i) ? stiffness_of(p, i) + both : 0.0f;
 		if (row_exists(p, i)) {
@@ -204,18 +197,16 @@ static void joint_newton(const cone *q, cni_node *n)
 	const cni_row *rows = cni_joint_constraints(q->pass->world)[n->owner].rows;
 	float rate = q->pass->bias ? CNI_JOINT_ERROR_RATE * q->pass->s->inv_h : 0.0f;
 	float speed[CNI_NODE_LANES];
-	int32_t i;
 	cni_four_store(speed, cni_levers_speed(&n->levers, q->pass->motions + n->ia, q->pass->motions + n->ib));
-	for (i = 0; i < CNI_NODE_ROWS; ++i)
+	for (int32_t i = 0; i < CNI_NODE_ROWS; ++i)
 		n->x[i] = -speed[i] - (i < n->rows ? rate * rows[i].error : 0.0f);
 }
 
 /* Changes of slack and multiplier by a whole step. */
 static void changes_of(const cone *q, const cni_direct_contact *p, const cni_node *n, float slack[4], float dual[4])
 {
-	int32_t i;
 	slacks_of(p, n->x, slack);
-	for (i = 0; i < 4; ++i)
+	for (int32_t i = 0; i < 4; ++i)
 		dual[i] = slack_exists(p, i) ? (q->tau * slack_mass(p, i) - p->cross[i]) / p->slack[i] - stiffness_of(p, i) * slack[i] - p->dual[i] : 0.0f;
 }
 
@@ -229,13 +220,12 @@ static float step_length(const cone *q)
 {
 	const cni_direct_contact *p;
 	float most = FLT_MAX;
-	int32_t i;
 	for (p = q->pass->first; p < q->pass->end; ++p) {
 		cni_node *n = &q->pass->sparse->nodes[p->node];
 		float slack[4], dual[4];
 		n->x[2] += p->slope * (n->x[0] + n->x[1]);
 		changes_of(q, p, n, slack, dual);
-		for (i = 0; i < 4; ++i)
+		for (int32_t i = 0; i < 4; ++i)
 			if (slack_exists(p, i))
 				most = cni_min(most, cni_min(distance_to(p->slack[i], slack[i]), distance_to(p->dual[i], dual[i])));
 	}
@@ -246,25 +236,24 @@ static float step_length(const cone *q)
 static float step_apply(const cone *q, float length)
 {
 	float sum = 0.0f;
-	int32_t k, i;
-	for (k = q->pass->c->begin; k < q->pass->c->end; ++k) {
+	for (int32_t k = q->pass->c->begin; k < q->pass->c->end; ++k) {
 		cni_node *n = &q->pass->sparse->nodes[k];
 		cni_direct_contact *p = cni_direct_contact_of(q->pass->sparse, n);
 		float slack[4], dual[4];
 		if (p != NULL)
 			changes_of(q, p, n, slack, dual);
-		for (i = 0; i < CNI_NODE_ROWS; ++i)
+		for (int32_t i = 0; i < CNI_NODE_ROWS; ++i)
 			n->x[i] *= length;
 		if (p == NULL) {
-			for (i = 0; i < CNI_NODE_ROWS; ++i)
+			for (int32_t i = 0; i < CNI_NODE_ROWS; ++i)
 				n->total[i] += n->x[i];
 			cni_levers_push(&n->levers, n->x, q->pass->motions + n->ia, q->pass->motions + n->ib, CNI_NODE_ROWS);
 			continue;
 		}
 		rows_push(q, p, n->x);
-		for (i = 0; i < 3; ++i)
+		for (int32_t i = 0; i < 3; ++i)
 			p->j[i] += n->x[i];
-		for (i = 0; i < 4; ++i) {
+		for (int32_t i = 0; i < 4; ++i) {
 			p->slack[i] += length * slack[i];
 			p->dual[i] += length * dual[i];
 			p->cross[i] = 0.0f;
@@ -280,11 +269,10 @@ static float predictor_store(cone *q, float length)
 {
 	cni_direct_contact *p;
 	float sum = 0.0f;
-	int32_t i;
 	for (p = q->pass->first; p < q->pass->end; ++p) {
 		float slack[4], dual[4];
 		changes_of(q, p, &q->pass->sparse->nodes[p->node], slack, dual);
-		for (i = 0; i < 4; ++i) {
+		for (int32_t i = 0; i < 4; ++i) {
 			p->cross[i] = slack[i] * dual[i];
 			sum += slack_exists(p, i) ? (p->slack[i] + length * slack[i]) * (p->dual[i] + length * dual[i]) / slack_mass(p, i) : 0.0f;
 		}
@@ -296,11 +284,10 @@ static void newton_set(cone *q)
 {
 	const cni_direct_contact_pass *pass = q->pass;
 	cni_direct_contact *p;
-	int32_t k;
 	q->residual = q->violation = 0.0f;
 	for (p = pass->first; p < pass->end; ++p)
 		contact_newton(q, p);
-	for (k = pass->c->begin; k < pass->c->end && pass->c->joints > 0; ++k)
+	for (int32_t k = pass->c->begin; k < pass->c->end && pass->c->joints > 0; ++k)
 		if (pass->sparse->nodes[k].owner >= 0)
 			joint_newton(q, &pass->sparse->nodes[k]);
 }
@@ -337,7 +324,6 @@ static int32_t iterate(cone *q)
 {
 	float mean = q->tau;
 	for (;;) {
-		float length, part, predicted;
 		q->tau = 0.0f;
 		newton_set(q);
 		if (q->residual <= q->pass->speed_least && q->violation <= q->pass->speed_least)
@@ -348,9 +334,9 @@ static int32_t iterate(cone *q)
 		cni_sparse_factor(q->pass->sparse, q->pass->c, q->pass->motions);
 		if (!cni_sparse_solve(q->pass->sparse, q->pass->c))
 			return 0;
-		length = step_length(q);
-		predicted = predictor_store(q, length);
-		part = predicted / mean;
+		float length = step_length(q);
+		float predicted = predictor_store(q, length);
+		float part = predicted / mean;
 		q->tau = cni_max(mean * part * part * part, cni_sq(CNI_CONE_PATH_SPEED * cni_max(q->residual, q->pass->speed_least)));
 		newton_set(q);
 		if (!cni_sparse_solve(q->pass->sparse, q->pass->c))
@@ -366,11 +352,10 @@ static float slips_find(const cone *q)
 	cni_direct_contact *p;
 	float most = 0.0f;
 	for (p = q->pass->first; p < q->pass->end; ++p) {
-		float slip, was;
 		if (p->coefficient == 0.0f)
 			continue;
-		slip = cni_abs(p->dual[2] - p->dual[3]);
-		was = p->lift;
+		float slip = cni_abs(p->dual[2] - p->dual[3]);
+		float was = p->lift;
 		if (slip > q->pass->speed_least && p->dynamic_friction < p->coefficient) {
 			p->coefficient = cni_max(p->dynamic_friction, CNI_CONE_FRICTION_LEAST);
 			most = FLT_MAX;
@@ -397,11 +382,11 @@ int32_t cni_direct_contacts_cone(const cni_direct_contact_pass *pass, int32_t *o
 {
 	cone q = { pass, 0, 0, factors_most(pass), 0.0f, 0.0f, 0.0f };
 	cni_direct_contact *p;
-	int32_t good = 1, round;
+	int32_t good = 1;
 	float change = FLT_MAX;
 	pass->c->regular = CNI_REGULARIZATION_CONTACTS;
 	warm_start(&q);
-	for (round = 0; good && round < CNI_CONE_SLIP_ROUNDS && change > CNI_CONE_SLIP_CLOSE * pass->speed_least; ++round) {
+	for (int32_t round = 0; good && round < CNI_CONE_SLIP_ROUNDS && change > CNI_CONE_SLIP_CLOSE * pass->speed_least; ++round) {
 		center(&q);
 		good = iterate(&q);
 		change = slips_find(&q);

@@ -16,8 +16,7 @@
 
 static void pulls_clear(cni_sparse *sparse, const cni_component *c)
 {
-	int32_t k;
-	for (k = c->begin; k < c->end; ++k)
+	for (int32_t k = c->begin; k < c->end; ++k)
 		sparse->pull[sparse->nodes[k].ia] = sparse->pull[sparse->nodes[k].ib] = 0.0f;
 }
 
@@ -31,9 +30,8 @@ static void pull_add(cni_sparse *sparse, const cni_joint_constraint *w, cni_vec2
 void cni_geometric_stiffness_find_pins(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h)
 {
 	float inv_h = 1.0f / h;
-	int32_t k;
 	pulls_clear(sparse, c);
-	for (k = c->begin; k < c->end; ++k) {
+	for (int32_t k = c->begin; k < c->end; ++k) {
 		const cni_joint_constraint *w = &cni_joint_constraints(world)[sparse->nodes[k].owner];
 		cni_vec2 f = cni_mul(inv_h, cni_v(w->record->impulse[0], w->record->impulse[1]));
 		pull_add(sparse, w, w->start.ra, w->start.rb, cni_neg(f), f);
@@ -44,15 +42,13 @@ void cni_geometric_stiffness_find_pins(const cn_world *world, cni_sparse *sparse
 void cni_geometric_stiffness_find(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h)
 {
 	float inv_h = 1.0f / h;
-	int32_t k, i;
 	pulls_clear(sparse, c);
-	for (k = c->begin; k < c->end; ++k) {
-		const cni_joint_constraint *w;
+	for (int32_t k = c->begin; k < c->end; ++k) {
 		cni_vec2 fa = cni_v(0.0f, 0.0f), fb = fa;
 		if (sparse->nodes[k].owner < 0)
 			continue; /* a contact */
-		w = &cni_joint_constraints(world)[sparse->nodes[k].owner];
-		for (i = 0; i < (w->rigid_count > 0 ? w->rigid_count : w->row_count); ++i) { /* a rope has its limit alone */
+		const cni_joint_constraint *w = &cni_joint_constraints(world)[sparse->nodes[k].owner];
+		for (int32_t i = 0; i < (w->rigid_count > 0 ? w->rigid_count : w->row_count); ++i) { /* a rope has its limit alone */
 			const cni_row *r = &w->rows[i];
 			fa = cni_madd(fa, r->impulse * inv_h, cni_v(r->lever.ax, r->lever.ay));
 			fb = cni_madd(fb, r->impulse * inv_h, cni_v(r->lever.bx, r->lever.by));
@@ -65,9 +61,8 @@ void cni_geometric_stiffness_find(const cn_world *world, cni_sparse *sparse, con
 float cni_geometric_stiffness_rods(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h)
 {
 	float inv_h = 1.0f / h, most = 0.0f;
-	int32_t k;
 	pulls_clear(sparse, c);
-	for (k = c->begin; k < c->end; ++k) {
+	for (int32_t k = c->begin; k < c->end; ++k) {
 		const cni_joint_constraint *w = &cni_joint_constraints(world)[sparse->nodes[k].owner];
 		float stiffness, length = w->record->p[cni_joint_is_rope(w->record) ? CNI_P_UPPER : CNI_P_LENGTH];
 		if (w->record->type != CN_JOINT_DISTANCE || length <= 0.0f)
@@ -76,7 +71,7 @@ float cni_geometric_stiffness_rods(const cn_world *world, cni_sparse *sparse, co
 		sparse->pull[w->ia] += stiffness;
 		sparse->pull[w->ib] += stiffness;
 	}
-	for (k = c->body_begin; k < c->body_end; ++k)
+	for (int32_t k = c->body_begin; k < c->body_end; ++k)
 		most = cni_max(most, sparse->pull[sparse->bodies[k]] * cni_motions(world)[sparse->bodies[k]].inv_mass);
 	return 2.0f * most;
 }
@@ -84,8 +79,7 @@ float cni_geometric_stiffness_rods(const cn_world *world, cni_sparse *sparse, co
 float cni_geometric_stiffness_largest(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
 	float most = 0.0f;
-	int32_t k;
-	for (k = c->body_begin; k < c->body_end; ++k)
+	for (int32_t k = c->body_begin; k < c->body_end; ++k)
 		most = cni_max(most, sparse->pull[sparse->bodies[k]] * cni_motions(world)[sparse->bodies[k]].inv_inertia);
 	return most;
 }
@@ -116,16 +110,14 @@ static int32_t both_move(const cn_world *world, const cni_node *n)
 
 void cni_geometric_stiffness_damp(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h)
 {
-	int32_t k;
 	if (!c->damps)
 		return;
 	cni_geometric_stiffness_find(world, sparse, c, h);
-	for (k = c->begin; k < c->end; ++k) {
+	for (int32_t k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
-		float most;
 		if (n->rows != 2 || !both_move(world, n))
 			continue;
-		most = cni_max(excess(world, sparse, n->ia, h), excess(world, sparse, n->ib, h));
+		float most = cni_max(excess(world, sparse, n->ia, h), excess(world, sparse, n->ib, h));
 		n->levers.aw[2] = most > 0.0f ? -1.0f : 0.0f;
 		n->levers.bw[2] = most > 0.0f ? 1.0f : 0.0f;
 		n->compliance[2] = most > 0.0f ? 1.0f / most : 0.0f;
@@ -142,8 +134,7 @@ static int32_t turns_far(const cn_world *world, const cni_node *n, float most)
 
 int32_t cni_geometric_stiffness_turns(const cn_world *world, const cni_sparse *sparse, const cni_component *c, float most)
 {
-	int32_t k;
-	for (k = c->begin; k < c->end && CNI_ON(GEOMETRIC_STIFFNESS); ++k)
+	for (int32_t k = c->begin; k < c->end && CNI_ON(GEOMETRIC_STIFFNESS); ++k)
 		if (turns_far(world, &sparse->nodes[k], most))
 			return 1;
 	return 0;
@@ -151,10 +142,9 @@ int32_t cni_geometric_stiffness_turns(const cn_world *world, const cni_sparse *s
 
 int32_t cni_geometric_stiffness_lock(const cn_world *world, const cni_sparse *sparse, cni_component *c, float most)
 {
-	int32_t k;
 	if (!cni_geometric_stiffness_turns(world, sparse, c, most))
 		return 0;
-	for (k = c->begin; k < c->end; ++k) {
+	for (int32_t k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
 		if (!turns_far(world, n, most))
 			continue;

@@ -12,7 +12,6 @@
  */
 #include "direct/direct.h"
 #include "contacts/contacts.h"
-#include "direct/direct_contact.h"
 #include "direct/direct_system.h"
 
 #include <string.h>

@@ -41,8 +41,7 @@
 /* 1: no row but the rigid ones, or that of a rope, can act in this step. */
 static int32_t constraint_is_rigid(const cn_world *world, const cni_joint_constraint *w, float dt)
 {
-	int32_t k;
-	for (k = w->rigid_count; k < w->row_count; ++k) {
+	for (int32_t k = w->rigid_count; k < w->row_count; ++k) {
 		if (w->rows[k].kind != CNI_ROW_LIMIT || cni_limit_is_near(world, w, k, dt))
 			return cni_joint_is_rope(w->record);
 	}
@@ -53,10 +52,9 @@ static int32_t constraint_is_rigid(const cn_world *world, const cni_joint_constr
 static int32_t only_component_holds(const cn_world *world, int32_t index)
 {
 	const cni_body *b = cni_body_at(world, cni_awake_ids(world)[index]);
-	int32_t key;
 	if (cni_externals(world)[index].flags & (CNI_EXTERNAL_TOUCHED | CNI_EXTERNAL_LOCK_X | CNI_EXTERNAL_LOCK_Y))
 		return 0;
-	for (key = b->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1]) {
+	for (int32_t key = b->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1]) {
 		int32_t at = cni_joint_at(world, key >> 1)->awake;
 		if (at != CNI_NONE && !(cni_joint_constraints(world)[at].flags & CNI_CONSTRAINT_DIRECT))
 			return 0;
@@ -66,17 +64,16 @@ static int32_t only_component_holds(const cn_world *world, int32_t index)
 
 int32_t cni_component_uses_rattle(cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c)
 {
-	int32_t k;
-	for (k = c->begin; k < c->end; ++k) {
+	for (int32_t k = c->begin; k < c->end; ++k) {
 		const cni_joint *j = cni_joint_constraints(world)[sparse->nodes[k].owner].record;
 		if (j->type == CN_JOINT_REVOLUTE && (j->flags & (CN_JOINT_SPRING | CN_JOINT_MOTOR)))
 			return 0; /* without building its rows */
 	}
-	for (k = c->body_begin; k < c->body_end; ++k)
+	for (int32_t k = c->body_begin; k < c->body_end; ++k)
 		if (!only_component_holds(world, sparse->bodies[k]))
 			return 0;
 	cni_component_rows_need(world, s, sparse, c);
-	for (k = c->begin; k < c->end; ++k)
+	for (int32_t k = c->begin; k < c->end; ++k)
 		if (!constraint_is_rigid(world, &cni_joint_constraints(world)[sparse->nodes[k].owner], s->dt))
 			return 0;
 	return 1;
@@ -97,9 +94,8 @@ static void base_place(const rattle_step *g, int32_t index)
 
 static void bases_place(rattle_step *g, float elapsed)
 {
-	int32_t k;
 	g->elapsed = elapsed;
-	for (k = g->c->begin; k < g->c->end && g->held; ++k) {
+	for (int32_t k = g->c->begin; k < g->c->end && g->held; ++k) {
 		base_place(g, g->sparse->nodes[k].ia);
 		base_place(g, g->sparse->nodes[k].ib);
 	}
@@ -113,8 +109,7 @@ enum { CLOSED_WELL = 0, OPEN = 1, BROKEN = 2 };
 /* Applies half of a substep's external acceleration and damping. */
 static void kick(const rattle_step *g)
 {
-	int32_t k;
-	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
+	for (int32_t k = g->c->body_begin; k < g->c->body_end; ++k) {
 		int32_t index = g->sparse->bodies[k];
 		const cni_external *d = cni_externals(g->world) + index;
 		cni_motion *m = g->motions + index;
@@ -134,9 +129,8 @@ static void kick(const rattle_step *g)
 
 static void drift(rattle_step *g)
 {
-	int32_t k;
 	bases_place(g, g->elapsed + g->h);
-	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
+	for (int32_t k = g->c->body_begin; k < g->c->body_end; ++k) {
 		cni_motion *m = g->motions + g->sparse->bodies[k];
 		m->dpx += g->h * m->vx;
 		m->dpy += g->h * m->vy;
@@ -162,8 +156,7 @@ static void move(cni_motion *m, const cni_changes *c, float h, float part)
 /* Applies x of every node to positions, and a part of it (1 or 0) to velocities and impulses. */
 static void push_and_move(const rattle_step *g, float part)
 {
-	int32_t k;
-	for (k = g->c->begin; k < g->c->end; ++k) {
+	for (int32_t k = g->c->begin; k < g->c->end; ++k) {
 		cni_node *n = &g->sparse->nodes[k];
 		const cni_levers *l = &n->levers;
 		cni_motion *a = g->motions + n->ia, *b = g->motions + n->ib;
@@ -179,10 +172,10 @@ static void push_and_move(const rattle_step *g, float part)
 static float gaps_find(const rattle_step *g)
 {
 	float largest = 0.0f, inv_h = 1.0f / g->h;
-	int32_t k, i;
-	for (k = g->c->body_begin; k < g->c->body_end; ++k)
+	int32_t i;
+	for (int32_t k = g->c->body_begin; k < g->c->body_end; ++k)
 		g->sparse->turn[g->sparse->bodies[k]] = cni_rot_small(g->motions[g->sparse->bodies[k]].theta);
-	for (k = g->c->begin; k < g->c->end; ++k) {
+	for (int32_t k = g->c->begin; k < g->c->end; ++k) {
 		cni_node *n = &g->sparse->nodes[k];
 		cni_joint_constraint *w = constraint_of(g, k);
 		cni_joint_constraint_rows(w, g->motions, g->sparse->turn);
@@ -199,9 +192,8 @@ static float gaps_find(const rattle_step *g)
 
 static void gaps_left_find(const rattle_step *g)
 {
-	int32_t k, i;
-	for (k = g->c->begin; k < g->c->end; ++k)
-		for (i = 0; i < g->sparse->nodes[k].rows; ++i)
+	for (int32_t k = g->c->begin; k < g->c->end; ++k)
+		for (int32_t i = 0; i < g->sparse->nodes[k].rows; ++i)
 			g->sparse->nodes[k].carried[i] = gap_left(g, constraint_of(g, k), i);
 }
 
@@ -214,8 +206,7 @@ static void push(const rattle_step *g, cni_node *n)
 /* Keeps this part of the impulses (1 or 0) and adds another along the present levers. */
 static void impulses_push(const rattle_step *g, float kept, float added)
 {
-	int32_t k;
-	for (k = g->c->begin; k < g->c->end; ++k) {
+	for (int32_t k = g->c->begin; k < g->c->end; ++k) {
 		cni_node *n = &g->sparse->nodes[k];
 		cni_four_store(n->x, cni_four_scale(cni_four_load(n->total), added));
 		cni_four_store(n->total, cni_four_scale(cni_four_load(n->total), kept));
@@ -227,8 +218,7 @@ static void impulses_push(const rattle_step *g, float kept, float added)
 static int32_t positions_close(const rattle_step *g)
 {
 	float gap = gaps_find(g);
-	int32_t round;
-	for (round = 0; round < CNI_RATTLE_NEWTON_ROUNDS && (round == 0 || gap > g->closed); ++round) {
+	for (int32_t round = 0; round < CNI_RATTLE_NEWTON_ROUNDS && (round == 0 || gap > g->closed); ++round) {
 		if (!cni_sparse_solve(g->sparse, g->c))
 			return BROKEN;
 		push_and_move(g, 1.0f);
@@ -240,14 +230,13 @@ static int32_t positions_close(const rattle_step *g)
 static int32_t velocities_close(const rattle_step *g)
 {
 	const cni_four zero = cni_four_all(0.0f);
-	int32_t k;
-	for (k = g->c->begin; k < g->c->end; ++k) {
+	for (int32_t k = g->c->begin; k < g->c->end; ++k) {
 		cni_node *n = &g->sparse->nodes[k];
 		cni_four_store(n->x, cni_four_subtract(zero, cni_levers_speed(&n->levers, g->motions + n->ia, g->motions + n->ib)));
 	}
 	if (!cni_sparse_solve(g->sparse, g->c))
 		return 0;
-	for (k = g->c->begin; k < g->c->end; ++k)
+	for (int32_t k = g->c->begin; k < g->c->end; ++k)
 		push(g, &g->sparse->nodes[k]);
 	return 1;
 }
@@ -255,17 +244,15 @@ static int32_t velocities_close(const rattle_step *g)
 /* Writes the impulses, times `scale`, to the rigid rows. */
 static void impulses_store(const rattle_step *g, int32_t node, float scale)
 {
-	int32_t i;
-	for (i = 0; i < g->sparse->nodes[node].rows; ++i)
+	for (int32_t i = 0; i < g->sparse->nodes[node].rows; ++i)
 		constraint_of(g, node)->rows[i].impulse = scale * g->sparse->nodes[node].total[i];
 }
 
 static void dampers_set(const rattle_step *g)
 {
-	int32_t k;
 	if (!g->c->damps)
 		return;
-	for (k = g->c->begin; k < g->c->end; ++k)
+	for (int32_t k = g->c->begin; k < g->c->end; ++k)
 		impulses_store(g, k, 1.0f);
 	cni_geometric_stiffness_damp(g->world, g->sparse, g->c, g->h);
 }
@@ -274,8 +261,7 @@ static void dampers_set(const rattle_step *g)
 static int32_t substeps_of(const rattle_step *g, const cni_solve *s, float rods)
 {
 	float fastest = 0.0f, needed;
-	int32_t k;
-	for (k = g->c->body_begin; k < g->c->body_end; ++k)
+	for (int32_t k = g->c->body_begin; k < g->c->body_end; ++k)
 		fastest = cni_max(fastest, cni_abs(g->motions[g->sparse->bodies[k]].w));
 	needed = cni_max(1.5f * s->dt * cni_sqrt(cni_geometric_stiffness_largest(g->world, g->sparse, g->c)), 2.0f * s->dt * fastest);
 	needed = cni_max(cni_min(CNI_RATTLE_SUBSTEPS_PIN, needed), cni_min(CNI_RATTLE_SUBSTEPS_ROD, 1.5f * s->dt * cni_sqrt(rods)));
@@ -284,12 +270,11 @@ static int32_t substeps_of(const rattle_step *g, const cni_solve *s, float rods)
 
 static int32_t substep(rattle_step *g)
 {
-	int32_t closed;
 	gaps_left_find(g);
 	impulses_push(g, 0.0f, g->warm);
 	kick(g);
 	drift(g);
-	closed = positions_close(g);
+	int32_t closed = positions_close(g);
 	kick(g);
 	dampers_set(g);
 	cni_direct_refresh(g->world, g->sparse, g->c);
@@ -314,8 +299,7 @@ static int32_t becomes_taut(const rattle_step *g, const cni_joint_constraint *w)
 static void ropes_begin(const rattle_step *g)
 {
 	float room = CNI_RATTLE_OLD_GAP * g->closed;
-	int32_t k;
-	for (k = g->c->begin; k < g->c->end && g->c->has_ropes; ++k) {
+	for (int32_t k = g->c->begin; k < g->c->end && g->c->has_ropes; ++k) {
 		const cni_joint_constraint *w = constraint_of(g, k);
 		if (cni_joint_is_rope(w->record))
 			g->sparse->nodes[k].rows = becomes_taut(g, w) || (w->rows[0].error <= room && g->h * rope_speed(g, w) <= room);
@@ -325,8 +309,8 @@ static void ropes_begin(const rattle_step *g)
 /* After a substep: ropes that push become loose, those that are too long become taut. Returns 1 if there are any. */
 static int32_t ropes_switch(const rattle_step *g)
 {
-	int32_t k, changed = 0;
-	for (k = g->c->begin; k < g->c->end && g->c->has_ropes; ++k) {
+	int32_t changed = 0;
+	for (int32_t k = g->c->begin; k < g->c->end && g->c->has_ropes; ++k) {
 		cni_node *n = &g->sparse->nodes[k];
 		const cni_joint_constraint *w = constraint_of(g, k);
 		if (!cni_joint_is_rope(w->record) || (n->rows > 0 ? n->total[0] >= 0.0f : !becomes_taut(g, w)))
@@ -344,8 +328,7 @@ static int32_t ropes_switch(const rattle_step *g)
 /* Moves by a part of the solution that `closing` holds. Returns the largest gap then. */
 static float solution_move(const rattle_step *g, float part)
 {
-	int32_t k;
-	for (k = g->c->begin; k < g->c->end; ++k)
+	for (int32_t k = g->c->begin; k < g->c->end; ++k)
 		cni_four_store(g->sparse->nodes[k].x, cni_four_scale(cni_four_load(g->sparse->nodes[k].closing), part));
 	push_and_move(g, 0.0f);
 	return gaps_find(g);
@@ -355,12 +338,10 @@ static float solution_move(const rattle_step *g, float part)
    method may turn light links too far. Returns the largest gap then. */
 static float solution_follow(const rattle_step *g, float last)
 {
-	float gap, part;
-	int32_t k;
-	for (k = g->c->begin; k < g->c->end; ++k)
+	for (int32_t k = g->c->begin; k < g->c->end; ++k)
 		memcpy(g->sparse->nodes[k].closing, g->sparse->nodes[k].x, sizeof g->sparse->nodes[k].x);
-	gap = solution_move(g, 1.0f);
-	for (part = 0.5f; gap > last && part >= CNI_RATTLE_STEP_LEAST; part *= 0.5f)
+	float gap = solution_move(g, 1.0f);
+	for (float part = 0.5f; gap > last && part >= CNI_RATTLE_STEP_LEAST; part *= 0.5f)
 		gap = solution_move(g, -part);
 	return gap;
 }
@@ -384,13 +365,12 @@ static int32_t positions_project(const rattle_step *g)
 
 static int32_t substep_project(rattle_step *g)
 {
-	int32_t closed;
 	gaps_left_find(g);
 	impulses_push(g, 0.0f, 0.0f);
 	kick(g);
 	kick(g);
 	drift(g);
-	closed = positions_project(g);
+	int32_t closed = positions_project(g);
 	cni_direct_refresh(g->world, g->sparse, g->c);
 	return velocities_close(g) ? closed : BROKEN;
 }
@@ -400,8 +380,7 @@ static int32_t substep_project(rattle_step *g)
 /* Sets `start` as if the last substep had the world's length: the test for bodies at rest reads it. */
 static void last_substep_begins(const rattle_step *g, const cni_solve *s)
 {
-	int32_t k;
-	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
+	for (int32_t k = g->c->body_begin; k < g->c->body_end; ++k) {
 		int32_t index = g->sparse->bodies[k];
 		const cni_motion *m = g->motions + index;
 		const cni_external *d = cni_externals(g->world) + index;
@@ -417,13 +396,12 @@ static void last_substep_begins(const rattle_step *g, const cni_solve *s)
 static void step_finish(const rattle_step *g, const cni_solve *s)
 {
 	float scale = s->h / g->h;
-	int32_t k, i;
-	for (k = g->c->body_begin; k < g->c->body_end; ++k)
+	for (int32_t k = g->c->body_begin; k < g->c->body_end; ++k)
 		cni_externals(g->world)[g->sparse->bodies[k]].flags |= CNI_EXTERNAL_FINISHED;
-	for (k = g->c->begin; k < g->c->end; ++k) {
+	for (int32_t k = g->c->begin; k < g->c->end; ++k) {
 		cni_joint_constraint *w = constraint_of(g, k);
 		impulses_store(g, k, scale);
-		for (i = g->sparse->nodes[k].rows; i < w->row_count; ++i)
+		for (int32_t i = g->sparse->nodes[k].rows; i < w->row_count; ++i)
 			w->rows[i].impulse = 0.0f;
 		w->flags |= CNI_CONSTRAINT_FINISHED;
 	}
@@ -431,8 +409,7 @@ static void step_finish(const rattle_step *g, const cni_solve *s)
 
 static void constraints_stress(const rattle_step *g)
 {
-	int32_t k;
-	for (k = g->c->begin; k < g->c->end; ++k) {
+	for (int32_t k = g->c->begin; k < g->c->end; ++k) {
 		cni_joint_constraint *w = constraint_of(g, k);
 		if ((w->flags & CNI_CONSTRAINT_BREAKABLE) && g->sparse->nodes[k].rows > 0) {
 			impulses_store(g, k, 1.0f);
@@ -444,11 +421,10 @@ static void constraints_stress(const rattle_step *g)
 /* Resets impulses to those of the joint records. */
 static void impulses_reset(const rattle_step *g, float scale)
 {
-	int32_t k, i;
 	ropes_begin(g);
-	for (k = g->c->begin; k < g->c->end; ++k) {
+	for (int32_t k = g->c->begin; k < g->c->end; ++k) {
 		cni_joint_constraint *w = constraint_of(g, k);
-		for (i = 0; i < g->sparse->nodes[k].rows; ++i)
+		for (int32_t i = 0; i < g->sparse->nodes[k].rows; ++i)
 			w->rows[i].impulse = g->sparse->nodes[k].total[i] = scale * w->record->impulse[w->rows[i].slot];
 		if (w->flags & CNI_CONSTRAINT_BREAKABLE)
 			w->numbers->force_stress = w->numbers->torque_stress = 0.0f;
@@ -458,14 +434,13 @@ static void impulses_reset(const rattle_step *g, float scale)
 /* Restores the state at the beginning of the step. */
 static void step_undo(rattle_step *g)
 {
-	int32_t k;
 	bases_place(g, 0.0f);
 	cni_dummy_stand(g->world);
 	if (g->c->damps)
 		cni_sparse_clear(g->sparse, g->c);
 	cni_direct_motions_save(g->world, g->sparse, g->c, 1);
 	cni_direct_rotations(g->world, g->sparse, g->c);
-	for (k = g->c->begin; k < g->c->end; ++k)
+	for (int32_t k = g->c->begin; k < g->c->end; ++k)
 		cni_joint_constraint_rows(constraint_of(g, k), g->motions, g->sparse->turn);
 }
 
@@ -481,8 +456,7 @@ static cni_joint_trust trust_read(const rattle_step *g)
 {
 	cni_joint_trust sum = { 0.0f, 0, 0, 0, 0 };
 	uint32_t step = g->world->step_count;
-	int32_t k;
-	for (k = g->c->begin; k < g->c->end; ++k) {
+	for (int32_t k = g->c->begin; k < g->c->end; ++k) {
 		const cni_joint_trust *t = trust_of(g, k);
 		sum.surplus += t->surplus;
 		if (t->span > 0 && (sum.span == 0 || (int32_t)(t->until - step) > (int32_t)(sum.until - step)))
@@ -495,8 +469,7 @@ static cni_joint_trust trust_read(const rattle_step *g)
 static void trust_write(const rattle_step *g, const cni_joint_trust *trust)
 {
 	float surplus = trust->surplus / (float)(g->c->end - g->c->begin);
-	int32_t k;
-	for (k = g->c->begin; k < g->c->end; ++k) {
+	for (int32_t k = g->c->begin; k < g->c->end; ++k) {
 		cni_joint_trust *t = trust_of(g, k);
 		*t = *trust;
 		t->surplus = surplus;
@@ -506,13 +479,11 @@ static void trust_write(const rattle_step *g, const cni_joint_trust *trust)
 /* Runs all substeps, or stops at the first that fails. Returns 1 when none did. */
 static int32_t substeps_run(rattle_step *g, const cni_solve *s, int32_t substeps, int32_t projects)
 {
-	int32_t k;
 	g->base_work = 0.0f;
-	for (k = 0; k < substeps; ++k) {
-		int32_t how;
+	for (int32_t k = 0; k < substeps; ++k) {
 		if (k == substeps - 1)
 			last_substep_begins(g, s);
-		how = projects ? substep_project(g) : substep(g);
+		int32_t how = projects ? substep_project(g) : substep(g);
 		if (how == BROKEN || (how == OPEN && !(projects && g->c->loops)))
 			return 0;
 		constraints_stress(g);
@@ -535,8 +506,6 @@ static int32_t projection_fits(const rattle_step *g, const rattle_energies *befo
 /* Tries a step by RATTLE, or by projections, with this number of substeps. */
 static int32_t step_try(rattle_step *g, const cni_solve *s, cni_component *c, int32_t substeps, int32_t projects, cni_joint_trust *t)
 {
-	rattle_energies before, after;
-	float gained;
 	g->h = s->dt / (float)substeps;
 	impulses_reset(g, projects ? 0.0f : s->warm_scale * g->h / s->h);
 	if (!projects) {
@@ -546,11 +515,11 @@ static int32_t step_try(rattle_step *g, const cni_solve *s, cni_component *c, in
 	}
 	cni_direct_refresh(g->world, g->sparse, c);
 	g->closing = cni_rattle_closing_speed(g);
-	before = cni_rattle_energies(g, s->dt); /* no work has been done at the beginning of a step */
+	rattle_energies before = cni_rattle_energies(g, s->dt); /* no work has been done at the beginning of a step */
 	if (!substeps_run(g, s, substeps, projects))
 		return 0;
-	after = cni_rattle_energies(g, s->dt);
-	gained = after.total - before.total - g->base_work;
+	rattle_energies after = cni_rattle_energies(g, s->dt);
+	float gained = after.total - before.total - g->base_work;
 	if (!(projects ? projection_fits(g, &before, &after) : gained <= CNI_RATTLE_ENERGY_PART * before.total + before.allowed + g->energy_error))
 		return 0; /* so does NaN */
 	cni_rattle_account(g, &after, t, gained);
@@ -560,12 +529,11 @@ static int32_t step_try(rattle_step *g, const cni_solve *s, cni_component *c, in
 /* Returns the joints to the soft solver for this step and for some time. */
 static void joints_release(const rattle_step *g, const cni_solve *s, cni_joint_trust *t)
 {
-	int32_t k, i;
 	cni_trust_fail(g->world, t, 1);
 	t->surplus = 0.0f;
-	for (k = g->c->begin; k < g->c->end; ++k) {
+	for (int32_t k = g->c->begin; k < g->c->end; ++k) {
 		cni_joint_constraint_prepare(g->world, s, g->sparse->nodes[k].owner);
-		for (i = 0; i < constraint_of(g, k)->row_count; ++i)
+		for (int32_t i = 0; i < constraint_of(g, k)->row_count; ++i)
 			constraint_of(g, k)->rows[i].impulse = 0.0f; /* impulses of a failed solution may be huge */
 	}
 }
@@ -597,14 +565,13 @@ static void component_run(cn_world *world, const cni_solve *s, cni_component *c)
 		CNI_RATTLE_CLOSED * world->settings.length_unit, 0.0f, 0.5f, 0.0f, 0.0f, 0.0f, 0 };
 	float rods, last_h = s->warm_scale > 0.0f ? s->h / s->warm_scale : s->h; /* substep of the records' impulses */
 	cni_joint_trust trust = trust_read(&g);
-	int32_t projects;
 	g.held = cni_component_held(world, g.sparse, c) > 0;
 	cni_direct_rotations(world, g.sparse, c);
 	rods = cni_geometric_stiffness_rods(world, g.sparse, c, last_h);
 	cni_geometric_stiffness_find(world, g.sparse, c, last_h);
 	cni_direct_motions_save(world, g.sparse, c, 0);
 	c->done = 1;
-	projects = trust.span > 0 && trust.until > world->step_count;
+	int32_t projects = trust.span > 0 && trust.until > world->step_count;
 	if (projects || !rattle_run(&g, s, c, substeps_of(&g, s, rods), &trust)) {
 		if (!projects)
 			cni_trust_fail(world, &trust, 0);
@@ -622,8 +589,7 @@ static void component_run(cn_world *world, const cni_solve *s, cni_component *c)
 
 void cni_rattle_run(cn_world *world, const cni_solve *s)
 {
-	int32_t k;
-	for (k = 0; s->direct != NULL && k < s->direct->component_count; ++k)
+	for (int32_t k = 0; s->direct != NULL && k < s->direct->component_count; ++k)
 		if (s->direct->components[k].uses_rattle)
 			component_run(world, s, &s->direct->components[k]);
 }

@@ -9,9 +9,8 @@
 float cni_rattle_closing_speed(const rattle_step *g)
 {
 	float most = 0.0f;
-	int32_t k, i;
-	for (k = g->c->begin; k < g->c->end; ++k)
-		for (i = 0; i < g->sparse->nodes[k].rows; ++i) {
+	for (int32_t k = g->c->begin; k < g->c->end; ++k)
+		for (int32_t i = 0; i < g->sparse->nodes[k].rows; ++i) {
 			const cni_row *r = &constraint_of(g, k)->rows[i];
 			most = cni_max(most, cni_abs(r->error) * cni_row_length(g->world, r));
 		}
@@ -27,8 +26,7 @@ static float twice_kinetic(const cni_motion *m, float vx, float vy, float w)
 rattle_energies cni_rattle_energies(const rattle_step *g, float dt)
 {
 	rattle_energies e = { 0.0f, 0.0f, 0.0f, 0.0f };
-	int32_t k;
-	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
+	for (int32_t k = g->c->body_begin; k < g->c->body_end; ++k) {
 		const cni_motion *m = g->motions + g->sparse->bodies[k];
 		const cni_external *d = cni_externals(g->world) + g->sparse->bodies[k];
 		const cni_body *b = cni_body_at(g->world, cni_awake_ids(g->world)[g->sparse->bodies[k]]);
@@ -54,8 +52,7 @@ rattle_energies cni_rattle_energies(const rattle_step *g, float dt)
 float cni_rattle_energy_error(const rattle_step *g, const cni_solve *s)
 {
 	float sum = 0.0f, last = cni_max(1.0f, s->warm_scale > 0.0f ? 1.0f / s->warm_scale : 1.0f); /* the account was filled at the last step's h */
-	int32_t k;
-	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
+	for (int32_t k = g->c->body_begin; k < g->c->body_end; ++k) {
 		int32_t index = g->sparse->bodies[k];
 		const cni_motion *m = g->motions + index;
 		const cni_external *d = cni_externals(g->world) + index;
@@ -80,10 +77,9 @@ static float base_speed(const cni_levers *l, int32_t row, const cni_motion *a, c
 float cni_rattle_base_work(const rattle_step *g)
 {
 	float work = 0.0f;
-	int32_t k, i;
-	for (k = g->c->begin; k < g->c->end; ++k) {
+	for (int32_t k = g->c->begin; k < g->c->end; ++k) {
 		const cni_node *n = &g->sparse->nodes[k];
-		for (i = 0; i < n->rows; ++i)
+		for (int32_t i = 0; i < n->rows; ++i)
 			work -= n->total[i] * base_speed(&n->levers, i, g->motions + n->ia, g->motions + n->ib);
 	}
 	return work;
@@ -106,8 +102,8 @@ static rigid_motion rigid_of(const rattle_step *g)
 {
 	rigid_motion r = { 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, g->held };
 	float spin = 0.0f;
-	int32_t turns = 1, k;
-	for (k = g->c->body_begin; k < g->c->body_end && !r.fixed; ++k) {
+	int32_t turns = 1;
+	for (int32_t k = g->c->body_begin; k < g->c->body_end && !r.fixed; ++k) {
 		const cni_motion *m = g->motions + g->sparse->bodies[k];
 		float mass = cni_inverse_or_zero(m->inv_mass);
 		cni_vec2 p = place_of(g, g->sparse->bodies[k]);
@@ -123,7 +119,7 @@ static rigid_motion rigid_of(const rattle_step *g)
 	r.y /= r.mass;
 	r.vx /= r.mass;
 	r.vy /= r.mass;
-	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
+	for (int32_t k = g->c->body_begin; k < g->c->body_end; ++k) {
 		const cni_motion *m = g->motions + g->sparse->bodies[k];
 		float mass = cni_inverse_or_zero(m->inv_mass), inertia = cni_inverse_or_zero(m->inv_inertia);
 		cni_vec2 p = place_of(g, g->sparse->bodies[k]);
@@ -139,10 +135,9 @@ static rigid_motion rigid_of(const rattle_step *g)
 static cni_velocity_start velocity_in(const rattle_step *g, const rigid_motion *r, int32_t index)
 {
 	cni_velocity_start v = { 0.0f, 0.0f, 0.0f, 0.0f };
-	cni_vec2 p;
 	if (r->fixed)
 		return v;
-	p = place_of(g, index);
+	cni_vec2 p = place_of(g, index);
 	v.vx = r->vx - r->w * (p.y - r->y);
 	v.vy = r->vy + r->w * (p.x - r->x);
 	v.w = r->w;
@@ -153,8 +148,7 @@ static cni_velocity_start velocity_in(const rattle_step *g, const rigid_motion *
 static float inner_energy(const rattle_step *g, const rigid_motion *r)
 {
 	float sum = 0.0f;
-	int32_t k;
-	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
+	for (int32_t k = g->c->body_begin; k < g->c->body_end; ++k) {
 		const cni_motion *m = g->motions + g->sparse->bodies[k];
 		cni_velocity_start v = velocity_in(g, r, g->sparse->bodies[k]);
 		sum += twice_kinetic(m, m->vx - v.vx, m->vy - v.vy, m->w - v.w);
@@ -170,12 +164,11 @@ static float energy_remove(const rattle_step *g, float surplus)
 {
 	rigid_motion r = rigid_of(g);
 	float inner = inner_energy(g, &r), part, keep;
-	int32_t k;
 	if (!(inner > 0.0f && inner < FLT_MAX))
 		return 0.0f;
 	part = cni_min(surplus / inner, CNI_RATTLE_ENERGY_PART);
 	keep = cni_sqrt(1.0f - part);
-	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
+	for (int32_t k = g->c->body_begin; k < g->c->body_end; ++k) {
 		cni_motion *m = g->motions + g->sparse->bodies[k];
 		cni_velocity_start v = velocity_in(g, &r, g->sparse->bodies[k]);
 		m->vx = v.vx + keep * (m->vx - v.vx);

@@ -31,7 +31,6 @@
 #include "contacts/contacts.h"
 #include "contacts/deep_lanes.h"
 #include "direct/direct_contact.h"
-#include "model/solve.h"
 
 #define ISLANDS_MOST 64        /* solved directly at the same time, of CN_SOLVER_AUTO */
 #define BLOCKS_AHEAD 8         /* whose memory is asked for */
@@ -118,8 +117,7 @@ static int32_t is_slow(const cn_world *world, int32_t index, cni_vec2 frame)
 static int32_t island_is_still(const cn_world *world, cni_island *i)
 {
 	cni_vec2 frame = cni_island_frame(world, i);
-	int32_t body;
-	for (body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
+	for (int32_t body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
 		if (!is_slow(world, cni_body_at(world, body)->awake, frame))
 			return 0;
 	return 1;
@@ -136,20 +134,19 @@ static float overlap(const cni_contact_block *k, int32_t l)
  */
 static int32_t island_is_meeting(const cn_world *world, const cni_island *i)
 {
-	int32_t body, key, near = 0, far = 0;
+	int32_t near = 0, far = 0;
 	float slop = world->settings.slop;
-	for (body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next) {
+	for (int32_t body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next) {
 		float most = cni_max(CNI_SELECTION_DEEP_PART * cni_body_at(world, body)->core, slop);
-		for (key = cni_body_at(world, body)->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
+		for (int32_t key = cni_body_at(world, body)->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
 			const cni_contact *c = cni_contact_of_key(world, key);
 			const cni_contact_block *k = cni_contact_has_lane(c) ? cni_block_at(world, c->slot / CNI_LANES) : NULL;
 			int32_t l = c->slot % CNI_LANES;
-			float deep;
 			if (k == NULL)
 				continue;
 			if (k->p[0].jn[l] + k->p[1].jn[l] > 0.0f)
 				return 0;
-			deep = overlap(k, l);
+			float deep = overlap(k, l);
 			near += deep < -0.1f * slop && deep > -slop;
 			far += deep > most || (deep <= -slop && deep > -world->settings.contact_margin);
 		}
@@ -214,11 +211,10 @@ static void island_mark_bad(cn_world *world, int32_t island, int32_t reason)
  */
 static void loads_clear(const cn_world *world, const cni_island *i)
 {
-	int32_t body, key;
-	for (body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
-		for (key = cni_body_at(world, body)->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
+	for (int32_t body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
+		for (int32_t key = cni_body_at(world, body)->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
 			const cni_contact *c = cni_contact_of_key(world, key);
-			if (!(c->flags & CNI_CONTACT_TOUCHING) || c->slot == CNI_NONE)
+			if (!cni_contact_has_lane(c))
 				continue;
 			cni_block_at(world, c->slot / CNI_LANES)->p[0].load[c->slot % CNI_LANES] = 0.0f;
 			cni_block_at(world, c->slot / CNI_LANES)->p[1].load[c->slot % CNI_LANES] = 0.0f;
@@ -230,7 +226,7 @@ void cni_island_refuse(cn_world *world, int32_t island, int32_t reason)
 	cni_island *i = cni_island_at(world, island);
 	int32_t first = reason == CN_TIER_REASON_NO_SET || reason == CN_TIER_REASON_MOVING ? (int32_t)CNI_SELECTION_RETRY_FIRST :
 		(int32_t)CNI_SELECTION_REFUSED_FIRST;
-	if (i->tier == CNI_TIER_DIRECT && i->falls_steps > 0 && i->gives_step != 0 && world->step_count + 1u - i->gives_step < 3u)
+	if (i->tier == CNI_TIER_DIRECT && i->falls_steps > 0 && world->step_count + 1u - i->gives_step < 3u)
 		loads_clear(world, i);
 	i->tier = CNI_TIER_SOFT;
 	i->reason = reason;
@@ -255,12 +251,11 @@ static int32_t may_be_stressed(const cn_world *world, const cni_contact_block *k
 static int32_t is_leaning(const cn_world *world, const cni_contact_block *k, int32_t l)
 {
 	cni_island *i = awake_island(world, k->ia[l]);
-	cni_vec2 frame;
 	if (i == NULL)
 		return 0;
 	if (i->unheld_step != 0)
 		return 1;
-	frame = cni_island_frame(world, i);
+	cni_vec2 frame = cni_island_frame(world, i);
 	return is_slow(world, k->ia[l], frame) && is_slow(world, k->ib[l], frame);
 }
 
@@ -302,8 +297,7 @@ static void new_lane_check(cn_world *world, lane_scan *q, const cni_contact_bloc
 static void block_check(cn_world *world, lane_scan *q, const cni_listed_block *b, uint32_t lanes)
 {
 	const cni_contact_block *k = b->rows;
-	int32_t l;
-	for (l = 0; lanes >> l != 0; ++l) {
+	for (int32_t l = 0; lanes >> l != 0; ++l) {
 		if (!(lanes >> l & 1u))
 			continue;
 		if (b->fresh >> l & 1u)
@@ -316,8 +310,7 @@ static void block_check(cn_world *world, lane_scan *q, const cni_listed_block *b
 /* Islands in which the top-down sweep of the last step left a body unsupported. */
 static void unheld_check(cn_world *world)
 {
-	int32_t k;
-	for (k = 1; k < world->awake_count; ++k) {
+	for (int32_t k = 1; k < world->awake_count; ++k) {
 		const cni_island *i = awake_island(world, k);
 		if (i != NULL && i->unheld_step == world->step_count && world->step_count > 0)
 			island_mark_bad(world, cni_awake_island(world, k), CN_TIER_REASON_NEW_CONTACT);
@@ -328,8 +321,8 @@ static void lanes_check(cn_world *world, float h)
 {
 	lane_scan q = { CNI_BAD_PART * world->settings.accuracy, h, CNI_NONE };
 	const cni_listed_block *list = (const cni_listed_block *)world->block_list.data;
-	int32_t k, count = world->colors[CNI_COLORS - 1].listed + world->colors[CNI_COLORS - 1].listed_count;
-	for (k = 0; k < count; ++k) {
+	int32_t count = world->colors[CNI_COLORS - 1].listed + world->colors[CNI_COLORS - 1].listed_count;
+	for (int32_t k = 0; k < count; ++k) {
 		if (k + BLOCKS_AHEAD < count) {
 			CNI_PREFETCH(list[k + BLOCKS_AHEAD].rows->p[0].s0);
 			CNI_PREFETCH(list[k + BLOCKS_AHEAD].rows->p[1].s0);
@@ -345,65 +338,74 @@ static void lanes_check(cn_world *world, float h)
 static void leaning_island_keep(cn_world *world, int32_t island, float h)
 {
 	cni_island *i = cni_island_at(world, island);
-	if (i->good_steps >= cni_max_i(i->stay_steps, CNI_SELECTION_STAY_FIRST) && i->good_steps <= CNI_SELECTION_STAY_MAX &&
-	    i->solver != CN_SOLVER_SOFT &&
+	if (i->good_steps >= cni_max_i(i->stay_steps, CNI_SELECTION_STAY_FIRST) && i->solver != CN_SOLVER_SOFT &&
 	    !cni_island_has_joints(world, island) && cni_island_is_quiet(world, i) && !cni_pile_is_supported(world, island, h))
 		i->good_steps = 0;
 }
 
-/* Drops islands that have been good for long enough, sleep, or no longer exist. */
+/* The soft solver gets back an island that has been good for long enough, or was asked to. */
+static void island_give_back(cn_world *world, cni_island *i)
+{
+	if (!island_is_still(world, i))
+		loads_clear(world, i);
+	i->tier = CNI_TIER_SOFT;
+	i->reason = CN_TIER_REASON_NONE;
+	if (i->solver == CN_SOLVER_SOFT)
+		return;
+	i->given_step = world->step_count;
+	i->refused_steps = 0; /* it was solved */
+	i->stay_steps = cni_min_i(CNI_SELECTION_STAY_FACTOR * cni_max_i(i->stay_steps, CNI_SELECTION_STAY_FIRST), CNI_SELECTION_STAY_MAX);
+}
+
+/* 1: the island stays direct. It does not when it has been good for long enough, moves, sleeps, has got joints, or no longer exists. */
+static int32_t island_stays(cn_world *world, int32_t island, float h)
+{
+	cni_island *i = cni_island_at(world, island);
+	int32_t good;
+	if (i->first == CNI_NONE)
+		return 0;
+	if (i->tier != CNI_TIER_DIRECT) {
+		if (i->reason == CN_TIER_REASON_NO_SET) /* a part of it, or a pass, had none: the others may press by any force */
+			cni_island_limit_impulses(world, i);
+		return 0;
+	}
+	if (!i->awake) {
+		i->tier = CNI_TIER_SOFT;
+		return 0;
+	}
+	if (!takes_contacts(world, island)) { /* it merged with an island with joints */
+		i->tier = CNI_TIER_SOFT;
+		i->reason = CN_TIER_REASON_JOINTED;
+		return 0;
+	}
+	if (i->solver != CN_SOLVER_DIRECT && i->gives_step == world->step_count && i->falls_steps >= CNI_SELECTION_FALL_STEPS) {
+		/* it has moved for so long that no impulses hold it, and an exact solution of its fall is not worth its work */
+		cni_island_refuse(world, island, CN_TIER_REASON_MOVING);
+		return 0;
+	}
+	leaning_island_keep(world, island, h);
+	good = i->good_steps;
+	i->good_steps = cni_min_i(good, CNI_SELECTION_STAY_MAX - 1) + (i->solver != CN_SOLVER_SOFT);
+	if (i->solver == CN_SOLVER_DIRECT || (i->solver == CN_SOLVER_AUTO && good < cni_max_i(i->stay_steps, CNI_SELECTION_STAY_FIRST))) {
+		i->reason = CN_TIER_REASON_SETTLING;
+		return 1;
+	}
+	island_give_back(world, i);
+	return 0;
+}
+
 static void list_update(cn_world *world, float h)
 {
-	int32_t k, kept = 0;
-	for (k = 0; k < world->direct_islands.count; ++k) {
-		int32_t island = direct_list(world)[k];
-		cni_island *i = cni_island_at(world, island);
-		if (i->first == CNI_NONE)
-			continue;
-		if (i->tier != CNI_TIER_DIRECT) {
-			if (i->reason == CN_TIER_REASON_NO_SET) /* a part of it, or a pass, had none: the others may press by any force */
-				cni_island_limit_impulses(world, i);
-			continue;
-		}
-		if (!i->awake) {
-			i->tier = CNI_TIER_SOFT;
-			continue;
-		}
-		if (!takes_contacts(world, island)) { /* it merged with an island with joints */
-			i->tier = CNI_TIER_SOFT;
-			i->reason = CN_TIER_REASON_JOINTED;
-			continue;
-		}
-		if (i->solver != CN_SOLVER_DIRECT && i->gives_step == world->step_count && world->step_count > 0 && i->falls_steps >= CNI_SELECTION_FALL_STEPS) {
-			/* it has moved for so long that no impulses hold it, and an exact solution of its fall is not worth its work */
-			cni_island_refuse(world, island, CN_TIER_REASON_MOVING);
-			continue;
-		}
-		leaning_island_keep(world, island, h);
-		if (i->solver != CN_SOLVER_SOFT && i->good_steps <= CNI_SELECTION_STAY_MAX &&
-		    (i->good_steps++ < cni_max_i(i->stay_steps, CNI_SELECTION_STAY_FIRST) || i->solver == CN_SOLVER_DIRECT)) {
-			i->reason = CN_TIER_REASON_SETTLING;
-			direct_list(world)[kept++] = island;
-			continue;
-		}
-		if (!island_is_still(world, i))
-			loads_clear(world, i);
-		i->tier = CNI_TIER_SOFT;
-		i->reason = i->good_steps > CNI_SELECTION_STAY_MAX ? CN_TIER_REASON_WORK : CN_TIER_REASON_NONE;
-		if (i->solver == CN_SOLVER_SOFT)
-			continue;
-		i->given_step = world->step_count;
-		if (i->reason == CN_TIER_REASON_NONE)
-			i->refused_steps = 0; /* it was solved */
-		i->stay_steps = cni_min_i(CNI_SELECTION_STAY_FACTOR * cni_max_i(i->stay_steps, CNI_SELECTION_STAY_FIRST), CNI_SELECTION_STAY_MAX);
-	}
+	int32_t kept = 0;
+	for (int32_t k = 0; k < world->direct_islands.count; ++k)
+		if (island_stays(world, direct_list(world)[k], h))
+			direct_list(world)[kept++] = direct_list(world)[k];
 	world->direct_islands.count = kept;
 }
 
 void cni_solver_selection_reset(cn_world *world)
 {
-	int32_t k;
-	for (k = 0; k < world->direct_islands.count; ++k)
+	for (int32_t k = 0; k < world->direct_islands.count; ++k)
 		cni_island_at(world, direct_list(world)[k])->tier = CNI_TIER_SOFT;
 	world->direct_islands.count = 0;
 	world->direct_work = world->direct_failed = 0;
@@ -411,8 +413,7 @@ void cni_solver_selection_reset(cn_world *world)
 
 static void joint_solver_gather(cn_world *world, const cni_joint *j)
 {
-	int32_t side;
-	for (side = 0; side < 2; ++side) {
+	for (int32_t side = 0; side < 2; ++side) {
 		int32_t index = j->body[side] != CNI_NONE ? cni_body_at(world, j->body[side])->awake : 0;
 		cni_island *i = index != 0 ? awake_island(world, index) : NULL;
 		if (i == NULL)
@@ -424,8 +425,7 @@ static void joint_solver_gather(cn_world *world, const cni_joint *j)
 
 static void solvers_reset(const cn_world *world)
 {
-	int32_t k;
-	for (k = 1; k < world->awake_count; ++k) {
+	for (int32_t k = 1; k < world->awake_count; ++k) {
 		cni_island *i = awake_island(world, k);
 		if (i != NULL)
 			i->solver = i->joints_solver = CN_SOLVER_AUTO;
@@ -435,16 +435,15 @@ static void solvers_reset(const cn_world *world)
 /* Writes the solver settings of bodies and joints to their islands. Islands that wake, and new ones, have none yet. */
 static void solvers_gather(cn_world *world)
 {
-	int32_t k;
 	if (world->solvers_asked)
 		solvers_reset(world);
 	world->solvers_asked = 0;
-	for (k = 0; k < world->awake_joints.count; ++k) {
+	for (int32_t k = 0; k < world->awake_joints.count; ++k) {
 		const cni_joint *j = cni_joint_at(world, ((const int32_t *)world->awake_joints.data)[k]);
 		if (j->solver == CN_SOLVER_DIRECT)
 			joint_solver_gather(world, j);
 	}
-	for (k = 1; k < world->awake_count; ++k) {
+	for (int32_t k = 1; k < world->awake_count; ++k) {
 		int32_t solver = cni_body_solver(cni_body_at(world, cni_awake_ids(world)[k]));
 		cni_island *i = solver != CN_SOLVER_AUTO ? awake_island(world, k) : NULL;
 		if (i == NULL)
@@ -459,8 +458,7 @@ static void solvers_gather(cn_world *world)
    are skipped. */
 static void awake_islands_take(cn_world *world, int32_t every)
 {
-	int32_t k;
-	for (k = 1; k < world->awake_count; ++k) {
+	for (int32_t k = 1; k < world->awake_count; ++k) {
 		cni_island *i = awake_island(world, k);
 		if (i == NULL || i->tier == CNI_TIER_DIRECT || i->solver == CN_SOLVER_SOFT || (!every && i->solver != CN_SOLVER_DIRECT) ||
 		    i->looked_step == world->step_count + 1u)

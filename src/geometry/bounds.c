@@ -24,10 +24,9 @@ static void pairs_box(const cni_vec2 *points, int32_t count, float radius, const
 {
 	const cni_wide c = cni_wide_of(x->q.c), s = { -x->q.s, x->q.s, -x->q.s, x->q.s }, t = { x->t.x, x->t.y, x->t.x, x->t.y };
 	cni_wide low, high, p;
-	int32_t i;
 	p = cni_wide_load_loose(&points[0].x);
 	low = high = c * p + s * __builtin_shufflevector(p, p, 1, 0, 3, 2) + t;
-	for (i = 2; i < count; i += 2) {
+	for (int32_t i = 2; i < count; i += 2) {
 		p = cni_wide_load_loose(&points[cni_min_i(i, count - 2)].x);
 		p = c * p + s * __builtin_shufflevector(p, p, 1, 0, 3, 2) + t;
 		low = cni_wide_min(p, low);
@@ -56,8 +55,7 @@ void cni_geometry_box(const cni_geometry *g, int32_t child, const cni_transform 
 cni_aabb cni_geometry_bounds(const cni_geometry *g, cni_transform x)
 {
 	cni_aabb box = cni_geometry_aabb(g, 0, x);
-	int32_t child;
-	for (child = 1; child < cni_geometry_children(g); ++child) {
+	for (int32_t child = 1; child < cni_geometry_children(g); ++child) {
 		cni_aabb one = cni_geometry_aabb(g, child, x);
 		box = cni_aabb_union(&box, &one);
 	}

@@ -35,19 +35,17 @@ typedef struct outline {
 void cni_medium_region_make(cni_medium_region *region, const cni_geometry *g, cni_vec2 center, cni_rot q)
 {
 	const cni_vec2 *p = cni_geometry_points(g), *n = cni_geometry_normals(g);
-	cni_vec2 axis, to, way;
-	int32_t k;
 	if (g->type == CN_SHAPE_POLYGON) {
 		region->count = g->count;
-		for (k = 0; k < g->count; ++k) {
+		for (int32_t k = 0; k < g->count; ++k) {
 			region->normals[k] = cni_rotate(q, n[k]);
 			region->offsets[k] = cni_dot(n[k], cni_sub(p[k], center)) + g->radius;
 		}
 		return;
 	}
-	axis = g->count == 2 ? cni_sub(p[1], p[0]) : cni_v(0.0f, 0.0f);
-	to = cni_madd(cni_sub(center, p[0]), -cni_segment_fraction(center, p[0], axis), axis);
-	way = cni_normalize(to);
+	cni_vec2 axis = g->count == 2 ? cni_sub(p[1], p[0]) : cni_v(0.0f, 0.0f);
+	cni_vec2 to = cni_madd(cni_sub(center, p[0]), -cni_segment_fraction(center, p[0], axis), axis);
+	cni_vec2 way = cni_normalize(to);
 	region->count = 1;
 	region->normals[0] = cni_rotate(q, way.x == 0.0f && way.y == 0.0f ? cni_v(0.0f, 1.0f) : way);
 	region->offsets[0] = g->radius - cni_length(to);
@@ -84,8 +82,7 @@ static void edge_part_add(cni_medium_force *sum, const cni_medium *m, const cni_
 {
 	static const float gauss[2] = { 0.211324865f, 0.788675135f };
 	float weight = 0.25f * (to - from) * cni_length(cni_sub(b, a)); /* half of the length, and the half of drag and lift */
-	int32_t k;
-	for (k = 0; k < 2; ++k) {
+	for (int32_t k = 0; k < 2; ++k) {
 		cni_vec2 r = cni_lerp(a, b, from + gauss[k] * (to - from)), u = relative_flow(m, s, r);
 		float speed = cni_length(u), across = -cni_dot(n, u);
 		if (across > 0.0f)
@@ -111,10 +108,9 @@ static int32_t arc_has(cni_vec2 n1, cni_vec2 n2, cni_vec2 d)
 static void arc_part_add(cni_medium_force *sum, const cni_medium *m, const cni_in_medium *s, cni_vec2 p, cni_vec2 u, float y1, float y2)
 {
 	float speed = cni_length(u), radius = s->geometry->radius, half = 0.5f * radius * (y1 - y2) * speed, middle = 0.5f * (y1 + y2);
-	cni_vec2 r;
 	if (half <= 0.0f)
 		return;
-	r = cni_madd(p, radius * middle / speed, cni_left_perp(u));
+	cni_vec2 r = cni_madd(p, radius * middle / speed, cni_left_perp(u));
 	element_add(sum, r, relative_flow(m, s, r), m->drag * half, -m->lift * half * middle);
 }
 
@@ -134,14 +130,13 @@ static cni_vec2 point_of(const cni_in_medium *s, cni_vec2 local)
 /* Edges and chains are thin plates: both sides. */
 static void plates_drag(cni_medium_force *sum, const cni_medium *m, const cni_medium_region *region, const cni_in_medium *s)
 {
-	int32_t child, k;
-	for (child = 0; child < cni_geometry_children(s->geometry); ++child) {
+	for (int32_t child = 0; child < cni_geometry_children(s->geometry); ++child) {
 		cni_vec2 storage[2], a, b, n;
 		float from = 0.0f, to = 1.0f;
 		cni_proxy_points ends = cni_geometry_proxy(s->geometry, child, storage);
 		a = point_of(s, ends.points[0]);
 		b = point_of(s, ends.points[1]);
-		for (k = 0; k < region->count; ++k) {
+		for (int32_t k = 0; k < region->count; ++k) {
 			float at_a = cni_dot(region->normals[k], a) - region->offsets[k], at_b = cni_dot(region->normals[k], b) - region->offsets[k];
 			if (at_a > 0.0f)
 				from = at_b >= 0.0f ? 1.0f : cni_max(from, at_a / (at_a - at_b));
@@ -162,13 +157,12 @@ static void whole_drag(cni_medium_force *sum, const cni_medium *m, const cni_in_
 {
 	const cni_geometry *g = s->geometry;
 	const cni_vec2 *p = cni_geometry_points(g), *normals = cni_geometry_normals(g);
-	int32_t k;
 	if (g->count == 1) {
 		cni_vec2 center = point_of(s, p[0]);
 		arc_part_add(sum, m, s, center, relative_flow(m, s, center), 1.0f, -1.0f);
 		return;
 	}
-	for (k = 0; k < g->count; ++k) {
+	for (int32_t k = 0; k < g->count; ++k) {
 		int32_t next = k + 1 < g->count ? k + 1 : 0;
 		cni_vec2 n = cni_rotate(s->q, normals[k]), out = cni_mul(g->radius, n);
 		edge_add(sum, m, s, cni_add(point_of(s, p[k]), out), cni_add(point_of(s, p[next]), out), n);
@@ -211,13 +205,12 @@ static void outline_make(outline *o, const cni_in_medium *s, cni_vec2 up)
 {
 	const cni_geometry *g = s->geometry;
 	const cni_vec2 *p = cni_geometry_points(g), *normals = cni_geometry_normals(g);
-	int32_t k;
 	o->count = 0;
 	if (g->count == 1) {
 		corner_push(o, point_of(s, p[0]), g->radius, up, up, up, 1);
 		return;
 	}
-	for (k = 0; k < g->count; ++k) {
+	for (int32_t k = 0; k < g->count; ++k) {
 		cni_vec2 at = point_of(s, p[k]), before = cni_rotate(s->q, normals[k > 0 ? k - 1 : g->count - 1]), n = cni_rotate(s->q, normals[k]);
 		if (g->radius > 0.0f) {
 			outline_push(o, cni_madd(at, g->radius, before), OWN);
@@ -230,9 +223,8 @@ static void outline_make(outline *o, const cni_in_medium *s, cni_vec2 up)
 static void outline_clip(outline *o, cni_vec2 normal, float offset, int32_t plane)
 {
 	outline in = *o;
-	int32_t k;
 	o->count = 0;
-	for (k = 0; k < in.count; ++k) {
+	for (int32_t k = 0; k < in.count; ++k) {
 		cni_vec2 a = in.points[k], b = in.points[k + 1 < in.count ? k + 1 : 0];
 		float at_a = cni_dot(normal, a) - offset, at_b = cni_dot(normal, b) - offset;
 		if (at_a <= 0.0f)
@@ -269,8 +261,7 @@ static void part_displacement(cni_medium_force *sum, const cni_medium *m, const 
 {
 	cni_vec2 first = { 0.0f, 0.0f }, from = o->points[0];
 	float area = 0.0f;
-	int32_t k;
-	for (k = 0; k < o->count; ++k) {
+	for (int32_t k = 0; k < o->count; ++k) {
 		cni_vec2 p = o->points[k], next = o->points[k + 1 < o->count ? k + 1 : 0], a = cni_sub(p, from), b = cni_sub(next, from);
 		float twice = cni_cross(a, b);
 		area += 0.5f * twice;
@@ -285,14 +276,13 @@ static void part_displacement(cni_medium_force *sum, const cni_medium *m, const 
 static void part_add(cni_medium_force *sum, const cni_medium *m, const cni_medium_region *region, const cni_in_medium *s)
 {
 	outline o;
-	int32_t k;
 	outline_make(&o, s, m->up);
-	for (k = 0; k < region->count && o.count > 0; ++k)
+	for (int32_t k = 0; k < region->count && o.count > 0; ++k)
 		outline_clip(&o, region->normals[k], region->offsets[k], k);
 	if (o.count < 3)
 		return;
 	part_displacement(sum, m, region, s, &o);
-	for (k = 0; k < o.count; ++k) {
+	for (int32_t k = 0; k < o.count; ++k) {
 		cni_vec2 a = o.points[k], b = o.points[k + 1 < o.count ? k + 1 : 0];
 		if (o.edges[k] == OWN)
 			edge_add(sum, m, s, a, b, cni_normalize(cni_right_perp(cni_sub(b, a))));
@@ -301,20 +291,18 @@ static void part_add(cni_medium_force *sum, const cni_medium *m, const cni_mediu
 
 static void whole_displacement(cni_medium_force *sum, const cni_medium *m, const cni_in_medium *s)
 {
-	cn_mass_data whole;
 	if (m->buoyancy == 0.0f && m->damping == 0.0f && m->turn_damping == 0.0f)
 		return;
-	whole = cni_geometry_mass(s->geometry, 1.0f);
+	cn_mass_data whole = cni_geometry_mass(s->geometry, 1.0f);
 	displacement_add(sum, m, s, whole.mass_kg, point_of(s, whole.center_m));
 }
 
 static int32_t is_within(const cni_medium_region *region, const cni_in_medium *s)
 {
 	const cni_vec2 *p = cni_geometry_points(s->geometry);
-	int32_t k, i;
-	for (i = 0; i < s->geometry->count && region->count > 0; ++i) {
+	for (int32_t i = 0; i < s->geometry->count && region->count > 0; ++i) {
 		cni_vec2 r = point_of(s, p[i]);
-		for (k = 0; k < region->count; ++k)
+		for (int32_t k = 0; k < region->count; ++k)
 			if (cni_dot(region->normals[k], r) + s->geometry->radius > region->offsets[k])
 				return 0;
 	}
@@ -340,10 +328,9 @@ void cni_medium_add(cni_medium_force *sum, const cni_medium *medium, const cni_m
 static float resist_norm(const cni_medium_force *sum, const float inverse_root[3])
 {
 	float most = 0.0f;
-	int32_t i, j;
-	for (i = 0; i < 3; ++i) {
+	for (int32_t i = 0; i < 3; ++i) {
 		float row = 0.0f;
-		for (j = 0; j < 3; ++j)
+		for (int32_t j = 0; j < 3; ++j)
 			row += cni_abs(sum->resist[i][j]) * inverse_root[i] * inverse_root[j];
 		most = cni_max(most, row);
 	}
@@ -354,25 +341,24 @@ static float resist_norm(const cni_medium_force *sum, const float inverse_root[3
    then the solution. */
 static void solve_3(float m[3][4])
 {
-	int32_t i, j, k;
-	for (i = 0; i < 3; ++i) {
+	for (int32_t i = 0; i < 3; ++i) {
 		int32_t pivot = i;
-		for (k = i + 1; k < 3; ++k)
+		for (int32_t k = i + 1; k < 3; ++k)
 			if (cni_abs(m[k][i]) > cni_abs(m[pivot][i]))
 				pivot = k;
-		for (j = i; j < 4; ++j) {
+		for (int32_t j = i; j < 4; ++j) {
 			float swap = m[i][j];
 			m[i][j] = m[pivot][j];
 			m[pivot][j] = swap;
 		}
-		for (k = i + 1; k < 3; ++k) {
+		for (int32_t k = i + 1; k < 3; ++k) {
 			float times = m[k][i] / m[i][i];
-			for (j = i; j < 4; ++j)
+			for (int32_t j = i; j < 4; ++j)
 				m[k][j] -= times * m[i][j];
 		}
 	}
-	for (i = 2; i >= 0; --i) {
-		for (j = i + 1; j < 3; ++j)
+	for (int32_t i = 2; i >= 0; --i) {
+		for (int32_t j = i + 1; j < 3; ++j)
 			m[i][3] -= m[i][j] * m[j][3];
 		m[i][3] /= m[i][i];
 	}
@@ -382,17 +368,16 @@ static void solve_3(float m[3][4])
 void cni_medium_solve(const cni_medium_force *sum, const float mass[3], float dt, float change[3])
 {
 	float m[3][4], inverse_root[3], part;
-	int32_t i, j;
-	for (i = 0; i < 3; ++i)
+	for (int32_t i = 0; i < 3; ++i)
 		inverse_root[i] = mass[i] > 0.0f ? 1.0f / cni_sqrt(mass[i]) : 0.0f;
 	part = dt * cni_min(1.0f, RESIST_MOST / cni_max(dt * resist_norm(sum, inverse_root), 1.0f));
-	for (i = 0; i < 3; ++i) {
-		for (j = 0; j < 3; ++j)
+	for (int32_t i = 0; i < 3; ++i) {
+		for (int32_t j = 0; j < 3; ++j)
 			m[i][j] = part * sum->resist[i][j] * inverse_root[i] * inverse_root[j];
 		m[i][i] += 1.0f;
 		m[i][3] = (dt * sum->force[i] + part * sum->drag[i]) * inverse_root[i];
 	}
 	solve_3(m);
-	for (i = 0; i < 3; ++i)
+	for (int32_t i = 0; i < 3; ++i)
 		change[i] = m[i][3] * inverse_root[i];
 }

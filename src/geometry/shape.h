@@ -38,8 +38,7 @@ static inline const cni_vec2 *cni_geometry_normals(const cni_geometry *g) { retu
 static inline float cni_points_lowest(const cni_vec2 *points, int32_t count, cni_vec2 direction)
 {
 	float low = cni_dot(direction, points[0]);
-	int32_t i;
-	for (i = 1; i < count; ++i)
+	for (int32_t i = 1; i < count; ++i)
 		low = cni_min(cni_dot(direction, points[i]), low);
 	return low;
 }

@@ -70,10 +70,9 @@ static int32_t color_take(cn_world *world, int32_t ia, int32_t ib)
 	cni_external *b = cni_motion_can_move(cni_motions(world) + ib) ? cni_externals(world) + ib : NULL;
 	uint32_t used = (a != NULL ? a->flags : 0) | (b != NULL ? b->flags : 0);
 	uint32_t open = ~(used >> CNI_EXTERNAL_COLOR_SHIFT) & ((1u << CNI_JOINT_COLORS) - 1u);
-	int32_t color;
 	if (open == 0)
 		return CNI_NONE;
-	color = cni_bit_lowest32(open);
+	int32_t color = cni_bit_lowest32(open);
 	if (a != NULL)
 		a->flags |= 1u << (CNI_EXTERNAL_COLOR_SHIFT + color);
 	if (b != NULL)
@@ -111,12 +110,12 @@ static cni_joint_block *block_open(lane_builder *t, int32_t color, int32_t form,
 static void blocks_list(cn_world *world)
 {
 	cni_joint_block *blocks = cni_joint_blocks(world);
-	int32_t at[CNI_JOINT_COLORS], color, k, count = 0;
-	for (color = 0; color < CNI_JOINT_COLORS; ++color) {
+	int32_t at[CNI_JOINT_COLORS], count = 0;
+	for (int32_t color = 0; color < CNI_JOINT_COLORS; ++color) {
 		at[color] = count;
 		count += world->joint_blocks_of[color];
 	}
-	for (k = 0; k < world->joint_blocks.count; ++k)
+	for (int32_t k = 0; k < world->joint_blocks.count; ++k)
 		if (blocks[k].color != CNI_NONE)
 			blocks[at[blocks[k].color]++].listed = k;
 }
@@ -222,10 +221,9 @@ static int32_t lane_take(lane_builder *t, int32_t k)
 	cn_world *world = t->world;
 	cni_joint_constraint *w = cni_joint_constraints(world) + k;
 	int32_t color = cni_joint_fits_lane(world, t->s, w) ? color_take(world, w->ia, w->ib) : CNI_NONE, l;
-	cni_joint_block *block;
 	if (color == CNI_NONE)
 		return 0;
-	block = block_open(t, color, w->form, cni_joint_is_of_small(world, w));
+	cni_joint_block *block = block_open(t, color, w->form, cni_joint_is_of_small(world, w));
 	l = block->lanes++;
 	block->moves_a |= (uint32_t)cni_motion_can_move(cni_motions(world) + w->ia) << l;
 	block->moves_b |= (uint32_t)cni_motion_can_move(cni_motions(world) + w->ib) << l;
@@ -292,8 +290,7 @@ int32_t cni_joint_lanes_need_no_plan(const cn_world *world)
 
 static void lanes_empty(cn_world *world)
 {
-	int32_t k;
-	for (k = 0; k < world->awake_joints.count && world->joint_lanes.filled > 0; ++k)
+	for (int32_t k = 0; k < world->awake_joints.count && world->joint_lanes.filled > 0; ++k)
 		if (!(cni_joint_constraints(world)[k].flags & CNI_CONSTRAINT_BATCHED))
 			cni_joint_constraints(world)[k].lane = CNI_NONE;
 	memset(world->joint_blocks_of, 0, sizeof world->joint_blocks_of);
@@ -326,9 +323,9 @@ int32_t cni_joint_constraint_widen(cn_world *world, const cni_solve *s, struct c
 static int32_t lanes_gather(cn_world *world, const cni_solve *s)
 {
 	lane_builder t = { world, s, { 0.0f, 0.0f, { 0.0f, 0.0f, 1.0f } }, { { { 0 } } } };
-	int32_t k, left = 0, *plain = &world->joint_plain_first;
+	int32_t left = 0, *plain = &world->joint_plain_first;
 	memset(t.open, -1, sizeof t.open); /* CNI_NONE */
-	for (k = 0; k < world->awake_joints.count; ++k) {
+	for (int32_t k = 0; k < world->awake_joints.count; ++k) {
 		cni_joint_constraint *w = cni_joint_constraints(world) + k;
 		if (w->flags & (CNI_CONSTRAINT_FINISHED | CNI_CONSTRAINT_BATCHED))
 			continue;
@@ -346,7 +343,6 @@ static int32_t lanes_gather(cn_world *world, const cni_solve *s)
 void cni_joint_blocks_gather(cn_world *world, const cni_solve *s)
 {
 	cni_lanes_kept *kept = &world->joint_lanes;
-	int32_t left;
 	if (kept->lanes > 0 && kept->filled == kept->lanes && (s->direct == NULL || s->direct->node_count == 0)) {
 		/* every joint is in its lane of the last step, of which directly solved ones would have taken theirs first; locked bodies are known for these alone */
 		kept->alone = s->direct == NULL && !world->direct_failed && planning_is_needless(world);
@@ -356,7 +352,7 @@ void cni_joint_blocks_gather(cn_world *world, const cni_solve *s)
 		return;
 	}
 	lanes_empty(world);
-	left = lanes_gather(world, s);
+	int32_t left = lanes_gather(world, s);
 	kept->alone = 0;
 	kept->lanes = !CNI_ON(KEPT_LANES) || left > 0 || (s->direct != NULL && s->direct->node_count > 0) ? 0 : world->awake_joints.count;
 	kept->blocks = world->joint_blocks.count;
@@ -379,8 +375,7 @@ static void color_pass_run(void *context, int32_t begin, int32_t end)
 {
 	const color_pass *c = (const color_pass *)context;
 	cni_joint_block *blocks = cni_joint_blocks(c->world);
-	int32_t k;
-	for (k = c->first + begin; k < c->first + end; ++k)
+	for (int32_t k = c->first + begin; k < c->first + end; ++k)
 		if (!c->small || blocks[blocks[k].listed].small)
 			c->run(cni_motions(c->world), cni_starts(c->world), &blocks[blocks[k].listed], &c->pass);
 }
@@ -388,8 +383,7 @@ static void color_pass_run(void *context, int32_t begin, int32_t end)
 void cni_joint_blocks_run(cn_world *world, const cni_solve *s, cni_joint_kernel_fn *run, int32_t small)
 {
 	color_pass c = { world, { s->h, s->inv_h, s->joint_warm_scale, s->joint, s->restless_speed }, run, 0, small };
-	int32_t color;
-	for (color = 0; color < CNI_JOINT_COLORS && world->joint_blocks.count > 0; ++color) {
+	for (int32_t color = 0; color < CNI_JOINT_COLORS && world->joint_blocks.count > 0; ++color) {
 		cni_team_for(s->team, world->joint_blocks_of[color], BLOCKS_A_RANGE, color_pass_run, &c);
 		c.first += world->joint_blocks_of[color];
 	}
@@ -397,9 +391,9 @@ void cni_joint_blocks_run(cn_world *world, const cni_solve *s, cni_joint_kernel_
 
 int32_t cni_joint_blocks_relax(cn_world *world, const cni_solve *s, int32_t again)
 {
-	int32_t k, restless = 0;
+	int32_t restless = 0;
 	cni_joint_blocks_run(world, s, s->joint_kernel->relax, again);
-	for (k = 0; k < world->joint_blocks.count; ++k)
+	for (int32_t k = 0; k < world->joint_blocks.count; ++k)
 		restless |= cni_joint_blocks(world)[k].small & cni_joint_blocks(world)[k].restless;
 	return restless;
 }
@@ -438,8 +432,8 @@ static void store_range(void *context, int32_t begin, int32_t end)
 	store_loop *loop = (store_loop *)context;
 	cn_world *world = loop->world;
 	const cni_joint_constraint *constraints = cni_joint_constraints(world);
-	int32_t k, far = cni_joints_are_far(world);
-	for (k = begin; k < end; ++k) {
+	int32_t far = cni_joints_are_far(world);
+	for (int32_t k = begin; k < end; ++k) {
 		if (far && k + STORES_AHEAD < end && constraints[k + STORES_AHEAD].lane != CNI_NONE) {
 			const cni_joint_block *next = cni_joint_block_of(world, &constraints[k + STORES_AHEAD]);
 			cni_joint_prefetch(constraints[k + STORES_AHEAD].record);

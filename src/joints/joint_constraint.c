@@ -87,12 +87,11 @@ CNI_INLINE cni_joint_frame constraint_frame(const cni_joint_constraint *w, const
 static void row_shares(const cni_joint_constraint *w, const cni_row *r, const cni_motion *a, const cni_motion *b, float *out)
 {
 	float k[CNI_JOINT_RIGID_ROWS];
-	int32_t i, l;
-	for (i = 0; i < w->rigid_count; ++i)
+	for (int32_t i = 0; i < w->rigid_count; ++i)
 		k[i] = cni_lever_mass(&w->rows[i].lever, &r->lever, a, b);
-	for (i = 0; i < w->rigid_count; ++i) {
+	for (int32_t i = 0; i < w->rigid_count; ++i) {
 		out[i] = 0.0f;
-		for (l = 0; l < w->rigid_count; ++l)
+		for (int32_t l = 0; l < w->rigid_count; ++l)
 			out[i] -= w->numbers->inverse[cni_inverse_at(i, l)] * k[l];
 	}
 }
@@ -108,9 +107,8 @@ static void row_decouple(cni_joint_constraint *w, int32_t k, const cni_motion *a
 {
 	cni_row *r = &w->rows[k];
 	float share[CNI_JOINT_RIGID_ROWS];
-	int32_t i;
 	row_shares(w, r, a, b, share);
-	for (i = 0; i < w->rigid_count; ++i)
+	for (int32_t i = 0; i < w->rigid_count; ++i)
 		cni_lever_add(&r->lever, share[i], &w->rows[i].lever);
 }
 
@@ -118,17 +116,15 @@ static void row_decouple(cni_joint_constraint *w, int32_t k, const cni_motion *a
 static void rows_build(cni_joint_constraint *w, const cni_motion *a, const cni_motion *b)
 {
 	cni_joint_frame f = constraint_frame(w, a, b);
-	int32_t k;
 	w->row_count = w->make_rows(w->record, &f, w->rows);
-	for (k = 0; w->rigid_count < 0; ++k)
+	for (int32_t k = 0; w->rigid_count < 0; ++k)
 		if (k == w->row_count || (w->rows[k].kind != CNI_ROW_RIGID && w->rows[k].kind != CNI_ROW_DRIVE))
 			w->rigid_count = k;
 	cni_rows_invert(w->rows, w->rigid_count, a, b, w->numbers->inverse);
-	for (k = w->rigid_count; k < w->row_count; ++k) {
-		float mass;
+	for (int32_t k = w->rigid_count; k < w->row_count; ++k) {
 		if (constraint_is_decoupled(w))
 			row_decouple(w, k, a, b);
-		mass = mass_of(w->rows, k, k, a, b);
+		float mass = mass_of(w->rows, k, k, a, b);
 		w->numbers->single_mass[k] = mass > 0.0f ? 1.0f / mass : 0.0f;
 	}
 }
@@ -149,16 +145,14 @@ void cni_joint_constraint_ahead(const cni_joint_constraint *w, const cni_motion 
 {
 	cni_motion end[2] = { motions[w->ia], motions[w->ib] };
 	cni_row rows[CNI_JOINT_ROWS];
-	cni_joint_frame f;
-	int32_t k;
-	for (k = 0; k < 2; ++k) {
+	for (int32_t k = 0; k < 2; ++k) {
 		end[k].dpx += h * end[k].vx;
 		end[k].dpy += h * end[k].vy;
 		end[k].theta += h * end[k].w;
 	}
-	f = constraint_frame(w, &end[0], &end[1]);
+	cni_joint_frame f = constraint_frame(w, &end[0], &end[1]);
 	(void)w->make_rows(w->record, &f, rows);
-	for (k = 0; k < w->rigid_count; ++k)
+	for (int32_t k = 0; k < w->rigid_count; ++k)
 		errors[k] = rows[k].error;
 }
 
@@ -168,17 +162,15 @@ void cni_joint_constraint_ahead(const cni_joint_constraint *w, const cni_motion 
 static void impulses_recouple(const cn_world *world, const cni_joint_constraint *w, float sign, float *impulse)
 {
 	const cni_motion *a = cni_motions(world) + w->ia, *b = cni_motions(world) + w->ib;
-	cni_joint_frame f;
 	cni_row rows[CNI_JOINT_ROWS];
 	float share[CNI_JOINT_RIGID_ROWS];
-	int32_t i, k;
 	if (!constraint_is_decoupled(w))
 		return;
-	f = constraint_frame(w, a, b);
+	cni_joint_frame f = constraint_frame(w, a, b);
 	w->make_rows(w->record, &f, rows);
-	for (k = w->rigid_count; k < w->row_count; ++k) {
+	for (int32_t k = w->rigid_count; k < w->row_count; ++k) {
 		row_shares(w, &rows[k], a, b, share);
-		for (i = 0; i < w->rigid_count; ++i)
+		for (int32_t i = 0; i < w->rigid_count; ++i)
 			impulse[i] += sign * share[i] * impulse[k];
 	}
 }
@@ -200,12 +192,11 @@ static uint32_t constraint_flags(const cni_joint *j)
 /* Softness of the first rows and limits, and of the spring. */
 static void constraint_soften(cni_joint_constraint *w, const cni_joint *j, const cni_solve *s)
 {
-	int32_t r;
 	if (cni_joint_type_of(j->type)->uses & CNI_USES_DRIVE)
 		w->numbers->soft = cni_soft_exact(w->rows[0].hertz, w->rows[0].damping_ratio, s->h);
 	else if (j->stiffness_hertz > 0.0f)
 		w->numbers->soft = cni_soft_row(j->stiffness_hertz, j->stiffness_damping, s->h);
-	for (r = w->rigid_count; r < w->row_count; ++r) {
+	for (int32_t r = w->rigid_count; r < w->row_count; ++r) {
 		if (w->rows[r].kind == CNI_ROW_SPRING)
 			w->numbers->spring = cni_soft_exact(w->rows[r].hertz, w->rows[r].damping_ratio, s->h);
 		else if (w->rows[r].kind == CNI_ROW_SOFT)
@@ -234,7 +225,6 @@ static void rows_begin(cn_world *world, const cni_solve *s, cni_joint_constraint
 {
 	const cni_joint *j = w->record;
 	float impulse[CNI_JOINT_ROWS];
-	int32_t r;
 	w->rigid_count = -1;
 	rows_build(w, cni_motions(world) + w->ia, cni_motions(world) + w->ib);
 	constraint_soften(w, j, s);
@@ -244,10 +234,10 @@ static void rows_begin(cn_world *world, const cni_solve *s, cni_joint_constraint
 	}
 	if (w->flags & CNI_CONSTRAINT_BREAKABLE)
 		w->numbers->force_stress = w->numbers->torque_stress = 0.0f;
-	for (r = 0; r < w->row_count; ++r)
+	for (int32_t r = 0; r < w->row_count; ++r)
 		impulse[r] = j->impulse[w->rows[r].slot];
 	impulses_recouple(world, w, -1.0f, impulse);
-	for (r = 0; r < w->row_count; ++r)
+	for (int32_t r = 0; r < w->row_count; ++r)
 		w->rows[r].impulse = impulse[r];
 }
 
@@ -263,10 +253,9 @@ void cni_joint_rope_mark(const cn_world *world, cni_joint_constraint *w, float d
 	const cni_joint *j = w->record;
 	const cni_motion *a = cni_motions(world) + w->ia, *b = cni_motions(world) + w->ib;
 	float length, speed, near;
-	cni_vec2 axis;
 	if (!CNI_ON(DIRECT_ROPES) || !cni_joint_is_rope(j))
 		return;
-	axis = cni_distance_axis(w->start.d, &length);
+	cni_vec2 axis = cni_distance_axis(w->start.d, &length);
 	speed = cni_dot(axis, cni_v(b->vx - a->vx, b->vy - a->vy)) + b->w * cni_cross(w->start.rb, axis) - a->w * cni_cross(w->start.ra, axis);
 	near = CNI_LIMIT_ROOM * world->settings.length_unit + 2.0f * dt * cni_abs(speed);
 	if (j->p[CNI_P_UPPER] - length < near && length - j->p[CNI_P_LOWER] > near)
@@ -285,13 +274,12 @@ void cni_joint_constraint_prepare(cn_world *world, const cni_solve *s, int32_t k
 void cni_joint_rows_end(const cn_world *world, const cni_joint_constraint *w, cni_joint *j)
 {
 	float impulse[CNI_JOINT_ROWS];
-	int32_t r;
-	for (r = 0; r < w->row_count; ++r)
+	for (int32_t r = 0; r < w->row_count; ++r)
 		impulse[r] = w->rows[r].impulse;
 	impulses_recouple(world, w, 1.0f, impulse);
-	for (r = 0; r < CNI_JOINT_ROWS; ++r)
+	for (int32_t r = 0; r < CNI_JOINT_ROWS; ++r)
 		j->impulse[r] = 0.0f;
-	for (r = 0; r < w->row_count; ++r)
+	for (int32_t r = 0; r < w->row_count; ++r)
 		j->impulse[w->rows[r].slot] = impulse[r];
 	cni_joint_keep_finite(j);
 }
@@ -315,13 +303,12 @@ static void rows_renew(cn_world *world, cni_joint_constraint *w)
 	cni_motion *a = cni_motions(world) + w->ia, *b = cni_motions(world) + w->ib;
 	cni_motion change_a = *a, change_b = *b;
 	cni_row old[CNI_JOINT_ROWS];
-	int32_t k;
-	for (k = 0; k < w->row_count; ++k)
+	for (int32_t k = 0; k < w->row_count; ++k)
 		old[k] = w->rows[k];
 	rows_build(w, a, b);
 	change_a.vx = change_a.vy = change_a.w = 0.0f;
 	change_b.vx = change_b.vy = change_b.w = 0.0f;
-	for (k = 0; k < w->row_count; ++k) {
+	for (int32_t k = 0; k < w->row_count; ++k) {
 		const cni_lever *l = &w->rows[k].lever, *was = &old[k].lever;
 		float impulse = old[k].impulse;
 		cni_lever_push(was, -impulse, &change_a, &change_b);

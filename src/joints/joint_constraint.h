@@ -84,8 +84,7 @@ CNI_INLINE void cni_joint_prefetch(const cni_joint *j)
 CNI_INLINE void cni_component_prefetch(const cn_world *world, const cni_sparse *sparse, int32_t component)
 {
 	const cni_component *c = &sparse->components[component];
-	int32_t k;
-	for (k = c->begin; k < c->end; ++k)
+	for (int32_t k = c->begin; k < c->end; ++k)
 		if (sparse->nodes[k].owner >= 0)
 			cni_joint_prefetch(cni_joint_constraints(world)[sparse->nodes[k].owner].record);
 }

@@ -83,9 +83,9 @@ void cni_joint_error(const cn_world *world, const cni_joint *j, float *out_m, fl
 {
 	cni_joint_frame f = cni_joint_frame_make(world, j);
 	cni_row rows[CNI_JOINT_ROWS];
-	int32_t count = cni_joint_type_of(j->type)->rows(j, &f, rows), k;
+	int32_t count = cni_joint_type_of(j->type)->rows(j, &f, rows);
 	float linear_sq = 0.0f, angular = 0.0f;
-	for (k = 0; k < count; ++k) {
+	for (int32_t k = 0; k < count; ++k) {
 		float e = rows[k].kind == CNI_ROW_RIGID ? rows[k].error : cni_min(rows[k].error, 0.0f);
 		if (rows[k].kind != CNI_ROW_RIGID && rows[k].kind != CNI_ROW_LIMIT)
 			continue;
@@ -123,8 +123,7 @@ void cni_rows_impulse(const cni_row *rows, int32_t count, cni_vec2 rb, cni_vec2 
 {
 	cni_vec2 linear = { 0.0f, 0.0f };
 	float angular = 0.0f;
-	int32_t k;
-	for (k = 0; k < count; ++k) {
+	for (int32_t k = 0; k < count; ++k) {
 		cni_vec2 b = cni_v(rows[k].lever.bx, rows[k].lever.by);
 		linear = cni_madd(linear, rows[k].impulse, b);
 		/* The part of the angular Jacobian that is not the force's own moment about the centre. */
@@ -138,8 +137,8 @@ void cni_joint_reaction(const cn_world *world, const cni_joint *j, cn_vec2 *out_
 {
 	cni_joint_frame f = cni_joint_frame_make(world, j);
 	cni_row rows[CNI_JOINT_ROWS];
-	int32_t count = cni_joint_type_of(j->type)->rows(j, &f, rows), k;
-	for (k = 0; k < count; ++k)
+	int32_t count = cni_joint_type_of(j->type)->rows(j, &f, rows);
+	for (int32_t k = 0; k < count; ++k)
 		rows[k].impulse = cni_saturate(j->impulse[rows[k].slot] * j->inv_h);
 	cni_rows_impulse(rows, count, f.rb, out_force, out_torque);
 	*out_force = cni_v(cni_saturate(out_force->x), cni_saturate(out_force->y));

@@ -123,12 +123,11 @@ CNI_INLINE hinge hinge_make(const side *a, const side *b, const arms *r, const p
 CNI_INLINE hinge axis_make(const cni_joint_block *k, int32_t l, const side *a, const side *b, const arms *r)
 {
 	const cni_wide zero = cni_wide_of(0.0f);
-	cni_wide aw, bw;
 	hinge g;
 	g.sx = cni_wide_load(k->ex + l);
 	g.sy = cni_wide_load(k->ey + l);
-	aw = r->ax * g.sy - r->ay * g.sx;
-	bw = r->bx * g.sy - r->by * g.sx;
+	cni_wide aw = r->ax * g.sy - r->ay * g.sx;
+	cni_wide bw = r->bx * g.sy - r->by * g.sx;
 	g.k = a->m + b->m + a->i * (aw * aw) + b->i * (bw * bw);
 	g.mass = cni_wide_select(g.k > zero, 1.0f / g.k, zero);
 	g.w = g.sx * (b->vx - a->vx) + g.sy * (b->vy - a->vy) + (bw * b->w - aw * a->w);

@@ -38,8 +38,7 @@ CNI_INLINE void lane_solve(cni_joint_block *k, int32_t l, side *a, side *b, cons
 
 CNI_INLINE void solve_lanes(cni_motion *motions, cni_joint_block *k, const cni_joint_pass *pass, int32_t kind)
 {
-	int32_t l;
-	for (l = 0; l < k->lanes; l += CNI_WIDTH) {
+	for (int32_t l = 0; l < k->lanes; l += CNI_WIDTH) {
 		arms r = arms_load(k, l);
 		side a, b;
 		sides_gather(motions, k, l, &a, &b);
@@ -115,9 +114,8 @@ CNI_INLINE cni_mask side_changes(const side *before, const side *after, float sp
 CNI_INLINE void relax_lanes(cni_motion *motions, cni_velocity_start *starts, cni_joint_block *k, const cni_joint_pass *pass, int32_t kind)
 {
 	const cni_wide zero = cni_wide_of(0.0f);
-	int32_t l;
 	k->restless = 0;
-	for (l = 0; l < k->lanes; l += CNI_WIDTH) {
+	for (int32_t l = 0; l < k->lanes; l += CNI_WIDTH) {
 		cni_wide jx = cni_wide_load(k->jx + l), jy = cni_wide_load(k->jy + l), nx = cni_wide_load(k->ex + l), ny = cni_wide_load(k->ey + l);
 		place at_a = place_gather(motions, k->ia + l), at_b = place_gather(motions, k->ib + l);
 		arms old = arms_load(k, l), r = arms_renew(&at_a, &at_b, k, l, kind == ANGULAR_PINS);
@@ -149,9 +147,8 @@ static void kernel_relax(cni_motion *motions, cni_velocity_start *starts, cni_jo
 
 static void kernel_warm(cni_motion *motions, cni_velocity_start *starts, cni_joint_block *k, const cni_joint_pass *pass)
 {
-	int32_t l;
 	(void)starts;
-	for (l = 0; l < k->lanes; l += CNI_WIDTH) {
+	for (int32_t l = 0; l < k->lanes; l += CNI_WIDTH) {
 		arms r = arms_load(k, l);
 		cni_wide t = measure_warm(k, l, pass->warm_scale);
 		side a, b;

@@ -29,8 +29,8 @@ static void prepare_range(void *context, int32_t begin, int32_t end)
 	prepare_loop *loop = (prepare_loop *)context;
 	cn_world *world = loop->world;
 	struct cni_lane_setup setup = { { 0.0f, 0.0f, { 0.0f, 0.0f, 1.0f } }, world->joint_lanes.lanes > 0, 0, 0 };
-	int32_t k, ahead = cni_joints_are_far(world) ? PREFETCH_AHEAD : world->awake_joints.count;
-	for (k = begin; k < end; ++k) {
+	int32_t ahead = cni_joints_are_far(world) ? PREFETCH_AHEAD : world->awake_joints.count;
+	for (int32_t k = begin; k < end; ++k) {
 		if (k + ahead < end)
 			cni_joint_prefetch(cni_joint_at(world, ((const int32_t *)world->awake_joints.data)[k + ahead]));
 		if (!cni_joint_constraint_widen(world, loop->s, &setup, k))
@@ -52,11 +52,10 @@ void cni_joints_prepare(cn_world *world, const cni_solve *s)
 
 void cni_joints_warm_start(cn_world *world, const cni_solve *s)
 {
-	int32_t k, r;
 	cni_joint_constraint *w;
-	for (k = world->joint_plain_first; k != CNI_NONE; k = w->next_plain) {
+	for (int32_t k = world->joint_plain_first; k != CNI_NONE; k = w->next_plain) {
 		w = cni_joint_constraints(world) + k;
-		for (r = 0; r < w->row_count; ++r) {
+		for (int32_t r = 0; r < w->row_count; ++r) {
 			w->rows[r].impulse *= s->joint_warm_scale;
 			cni_lever_push(&w->rows[r].lever, w->rows[r].impulse, cni_motions(world) + w->ia, cni_motions(world) + w->ib);
 		}
@@ -70,20 +69,18 @@ void cni_joints_warm_start(cn_world *world, const cni_solve *s)
 CNI_INLINE void block_solve(const cni_row *rows, int32_t count, const float *inverse, const cni_motion *a, const cni_motion *b, const cni_soft *soft, float *dj)
 {
 	float rhs[CNI_JOINT_RIGID_ROWS];
-	int32_t i, k;
-	for (i = 0; i < count; ++i)
+	for (int32_t i = 0; i < count; ++i)
 		rhs[i] = soft->mass_scale * cni_lever_speed(&rows[i].lever, a, b) + soft->bias_scale * rows[i].error;
-	for (i = 0; i < count; ++i) {
+	for (int32_t i = 0; i < count; ++i) {
 		dj[i] = -soft->impulse_scale * rows[i].impulse;
-		for (k = 0; k < count; ++k)
+		for (int32_t k = 0; k < count; ++k)
 			dj[i] -= inverse[cni_inverse_at(i, k)] * rhs[k];
 	}
 }
 
 CNI_INLINE void block_push(cni_row *rows, int32_t count, const float *dj, cni_motion *a, cni_motion *b)
 {
-	int32_t i;
-	for (i = 0; i < count; ++i) {
+	for (int32_t i = 0; i < count; ++i) {
 		rows[i].impulse += dj[i];
 		cni_lever_push(&rows[i].lever, dj[i], a, b);
 	}
@@ -93,13 +90,12 @@ CNI_INLINE void block_push(cni_row *rows, int32_t count, const float *dj, cni_mo
 static int32_t block_clamp(const cni_row *rows, int32_t count, float most, float *dj)
 {
 	float sum_sq = 0.0f, scale;
-	int32_t i;
-	for (i = 0; i < count; ++i)
+	for (int32_t i = 0; i < count; ++i)
 		sum_sq += (rows[i].impulse + dj[i]) * (rows[i].impulse + dj[i]);
 	if (sum_sq <= most * most)
 		return 0;
 	scale = most / cni_sqrt(sum_sq);
-	for (i = 0; i < count; ++i)
+	for (int32_t i = 0; i < count; ++i)
 		dj[i] = scale * (rows[i].impulse + dj[i]) - rows[i].impulse;
 	return 1;
 }
@@ -190,8 +186,7 @@ static void solve_constraint(cni_joint_constraint *w, cni_motion *motions, const
 {
 	static const cni_soft rigid = { 1.0f, 0.0f, 0.0f };
 	cni_motion *a = motions + w->ia, *b = motions + w->ib;
-	int32_t k;
-	for (k = w->rigid_count; k < w->row_count; ++k) {
+	for (int32_t k = w->rigid_count; k < w->row_count; ++k) {
 		cni_row *r = &w->rows[k];
 		if (k == w->active_row)
 			continue;
@@ -212,8 +207,7 @@ static void solve_constraint(cni_joint_constraint *w, cni_motion *motions, const
 
 void cni_joints_solve(cn_world *world, const cni_solve *s)
 {
-	int32_t k;
-	for (k = world->joint_plain_first; k != CNI_NONE; k = cni_joint_constraints(world)[k].next_plain)
+	for (int32_t k = world->joint_plain_first; k != CNI_NONE; k = cni_joint_constraints(world)[k].next_plain)
 		solve_constraint(cni_joint_constraints(world) + k, cni_motions(world), s, 1);
 	cni_joint_blocks_run(world, s, s->joint_kernel->solve, 0);
 }
@@ -223,13 +217,12 @@ void cni_joints_solve(cn_world *world, const cni_solve *s)
 static int32_t soft_partner(const cn_world *world, int32_t index)
 {
 	const cni_body *b = cni_body_at(world, cni_awake_ids(world)[index]);
-	int32_t key, partner = 0;
-	for (key = b->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1]) {
+	int32_t partner = 0;
+	for (int32_t key = b->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1]) {
 		int32_t at = cni_joint_at(world, key >> 1)->awake;
-		const cni_joint_constraint *w;
 		if (at == CNI_NONE)
 			continue;
-		w = cni_joint_constraints(world) + at;
+		const cni_joint_constraint *w = cni_joint_constraints(world) + at;
 		if (w->flags & CNI_CONSTRAINT_DIRECT)
 			return CNI_NONE;
 		if (partner == 0)
@@ -268,23 +261,22 @@ void cni_joints_limit_turns(cn_world *world, const cni_solve *s)
 {
 	const cni_joint_constraint *w = cni_joint_constraints(world);
 	float most = CNI_JOINT_TURN_MOST * s->inv_h;
-	int32_t k, joints = world->awake_joints.count, few = joints < world->awake_count / FEW_JOINTS_PART;
-	for (k = 0; few && k < joints; ++k) {
+	int32_t joints = world->awake_joints.count, few = joints < world->awake_count / FEW_JOINTS_PART;
+	for (int32_t k = 0; few && k < joints; ++k) {
 		turn_check(world, w[k].ia, most);
 		turn_check(world, w[k].ib, most);
 	}
-	for (k = 1; !few && k < world->awake_count; ++k)
+	for (int32_t k = 1; !few && k < world->awake_count; ++k)
 		turn_check(world, k, most);
 }
 
 void cni_joints_solve_fresh(cn_world *world, const cni_solve *s, int32_t constraints)
 {
-	int32_t k, r;
-	for (k = 0; k < world->awake_joints.count; ++k) {
+	for (int32_t k = 0; k < world->awake_joints.count; ++k) {
 		cni_joint_constraint *w = cni_joint_constraints(world) + k;
 		if (cni_joint_is_constraint(cni_joint_at(world, w->joint)->type) != constraints)
 			continue;
-		for (r = 0; r < w->row_count; ++r)
+		for (int32_t r = 0; r < w->row_count; ++r)
 			w->rows[r].impulse = 0.0f;
 		solve_constraint(w, cni_motions(world), s, 1);
 	}
@@ -298,17 +290,16 @@ static int32_t changes_by(const cni_motion *before, const cni_motion *after, flo
 /* Returns 1 when a joint of a small island changed a velocity by more than restless_speed. again: joints of small islands alone. */
 static int32_t plain_relax(cn_world *world, const cni_solve *s, int32_t again)
 {
-	int32_t k, restless = 0;
+	int32_t restless = 0;
 	cni_joint_constraint *w;
-	for (k = world->joint_plain_first; k != CNI_NONE; k = w->next_plain) {
-		cni_motion a, b;
+	for (int32_t k = world->joint_plain_first; k != CNI_NONE; k = w->next_plain) {
 		w = cni_joint_constraints(world) + k;
 		if (again && !cni_joint_is_of_small(world, w))
 			continue;
 		if (!again)
 			cni_joint_rows_renew(world, w);
-		a = cni_motions(world)[w->ia];
-		b = cni_motions(world)[w->ib];
+		cni_motion a = cni_motions(world)[w->ia];
+		cni_motion b = cni_motions(world)[w->ib];
 		solve_constraint(w, cni_motions(world), s, 0);
 		if (!restless && (changes_by(&a, cni_motions(world) + w->ia, s->restless_speed) || changes_by(&b, cni_motions(world) + w->ib, s->restless_speed)))
 			restless = cni_joint_is_of_small(world, w);
@@ -323,16 +314,15 @@ static int32_t plain_relax(cn_world *world, const cni_solve *s, int32_t again)
  */
 void cni_joints_relax(cn_world *world, const cni_solve *s)
 {
-	int32_t round, restless = 1;
-	for (round = 0; round < CNI_JOINT_RELAX_ROUNDS && restless; ++round)
+	int32_t restless = 1;
+	for (int32_t round = 0; round < CNI_JOINT_RELAX_ROUNDS && restless; ++round)
 		restless = plain_relax(world, s, round > 0) | cni_joint_blocks_relax(world, s, round > 0);
 }
 
 void cni_joints_stress(cn_world *world, const cni_solve *s)
 {
-	int32_t k;
 	cni_joint_constraint *w;
-	for (k = world->joint_plain_first; k != CNI_NONE; k = w->next_plain) {
+	for (int32_t k = world->joint_plain_first; k != CNI_NONE; k = w->next_plain) {
 		w = cni_joint_constraints(world) + k;
 		if (w->flags & CNI_CONSTRAINT_BREAKABLE)
 			cni_joint_constraint_stress(w, cni_motions(world) + w->ib, s->inv_h);
@@ -348,14 +338,12 @@ static int32_t is_beyond(const cni_joint_constraint *w, const cni_joint *j)
 
 void cni_joints_store(cn_world *world, const cni_solve *s)
 {
-	int32_t k;
 	world->stressed_joints = 0;
-	for (k = 0; k < world->awake_joints.count; ++k) {
+	for (int32_t k = 0; k < world->awake_joints.count; ++k) {
 		cni_joint_constraint *w = cni_joint_constraints(world) + k;
-		cni_joint *j;
 		if (w->lane != CNI_NONE)
 			continue;
-		j = cni_joint_at(world, w->joint);
+		cni_joint *j = cni_joint_at(world, w->joint);
 		cni_joint_rows_end(world, w, j);
 		j->inv_h = s->inv_h;
 		j->trust.direct = (w->flags & CNI_CONSTRAINT_DIRECT) != 0;
@@ -383,11 +371,10 @@ static void joint_break(cn_world *world, const cni_joint_constraint *w)
 /* Backwards, because destroying a joint moves the last one of the awake list to its place. */
 void cni_joints_break(cn_world *world)
 {
-	int32_t k;
 	if (world->stressed_joints == 0)
 		return;
 	world->stressed_joints = 0;
-	for (k = world->awake_joints.count - 1; k >= 0; --k) {
+	for (int32_t k = world->awake_joints.count - 1; k >= 0; --k) {
 		const cni_joint_constraint *w = cni_joint_constraints(world) + k;
 		if ((w->flags & CNI_CONSTRAINT_BREAKABLE) && is_beyond(w, cni_joint_at(world, w->joint)))
 			joint_break(world, w);

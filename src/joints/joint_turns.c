@@ -22,12 +22,11 @@ static float rounded(float x)
 static float side_angle(const cni_joint *j, int32_t side, cni_rot q, float *out_turns)
 {
 	const float *state = j->p + CNI_P_TURN + 2 * side;
-	float angle;
 	if (j->body[side] == CNI_NONE) {
 		*out_turns = 0.0f;
 		return 0.0f;
 	}
-	angle = cni_atan2(q.s, q.c);
+	float angle = cni_atan2(q.s, q.c);
 	*out_turns = state[1] + rounded((state[0] - angle) / TURN_RAD);
 	return angle;
 }
@@ -71,10 +70,9 @@ void cni_joint_ratchet_begin(const cn_world *world, cni_joint *j)
 
 void cni_joint_turns_begin(const cn_world *world, cni_joint *j)
 {
-	int32_t side;
 	if (!(cni_joint_type_of(j->type)->uses & CNI_USES_TURNS))
 		return;
-	for (side = 0; side < 2; ++side) {
+	for (int32_t side = 0; side < 2; ++side) {
 		cni_rot q = cni_joint_side_rotation(world, j, side);
 		j->p[CNI_P_TURN + 2 * side] = cni_atan2(q.s, q.c);
 		j->p[CNI_P_TURN + 2 * side + 1] = 0.0f;
@@ -86,8 +84,7 @@ void cni_joint_turns_begin(const cn_world *world, cni_joint *j)
 void cni_joint_turns_advance(const cn_world *world, cni_joint *j, float theta_a, float theta_b)
 {
 	float turned[2];
-	int32_t side;
-	for (side = 0; side < 2; ++side) {
+	for (int32_t side = 0; side < 2; ++side) {
 		float *state = j->p + CNI_P_TURN + 2 * side;
 		float turns, angle = side_angle(j, side, cni_joint_side_rotation(world, j, side), &turns);
 		float expected = angle + (side == 0 ? theta_a : theta_b);

@@ -184,10 +184,9 @@ static int32_t fixed_rows(const cni_joint *j, const cni_joint_frame *f, cni_row 
 static int32_t motor_rows(const cni_joint *j, const cni_joint_frame *f, cni_row *rows)
 {
 	cni_vec2 offset = cni_rotate(f->qa, cni_v(j->p[CNI_P_MOTOR_OFFSET_X], j->p[CNI_P_MOTOR_OFFSET_Y]));
-	int32_t k;
 	rows_point(f, cni_add(f->ra, offset), cni_sub(f->d, offset), CNI_ROW_DRIVE, rows);
 	rows[2] = row_angular(CNI_ROW_DRIVE, 2, 1.0f, 1.0f, f->angle);
-	for (k = 0; k < 3; ++k)
+	for (int32_t k = 0; k < 3; ++k)
 		rows[k] = row_spring(rows[k], j->p[CNI_P_HERTZ], j->p[CNI_P_DAMPING]);
 	return 3;
 }
@@ -200,9 +199,8 @@ static float motor_position(const cni_joint *j, const cni_joint_frame *f)
 /* Drags anchor b to anchor a, a point of the world, by a spring with bounded force. Slots: 0, 1 point. */
 static int32_t mouse_rows(const cni_joint *j, const cni_joint_frame *f, cni_row *rows)
 {
-	int32_t k;
 	rows_point(f, f->ra, f->d, CNI_ROW_DRIVE, rows);
-	for (k = 0; k < 2; ++k)
+	for (int32_t k = 0; k < 2; ++k)
 		rows[k] = row_spring(rows[k], j->p[CNI_P_HERTZ], j->p[CNI_P_DAMPING]);
 	return 2;
 }

@@ -18,12 +18,11 @@
 /* Lists the nodes of each body. */
 static void bodies_collect(cni_planner *p)
 {
-	int32_t i, side;
 	memset(p->body_head, 0xff, sizeof(int32_t) * (size_t)p->system->motion_count);
 	memset(p->body_reached, 0, (size_t)p->system->motion_count);
 	memset(p->seen, 0, (size_t)p->system->link_count);
-	for (i = p->system->link_count - 1; i >= 0; --i)
-		for (side = 1; side >= 0; --side) {
+	for (int32_t i = p->system->link_count - 1; i >= 0; --i)
+		for (int32_t side = 1; side >= 0; --side) {
 			int32_t body = cni_planner_body(p, i, side);
 			if (body == 0)
 				continue;
@@ -36,8 +35,8 @@ static void bodies_collect(cni_planner *p)
    eliminated after it: 1 + k + k (k + 1) / 2 blocks of work. */
 static void body_reach(cni_planner *p, int32_t body)
 {
-	int32_t key, count = 0;
-	for (key = p->body_head[body]; key != CNI_NONE; key = cni_planner_next(p, key), ++count)
+	int32_t count = 0;
+	for (int32_t key = p->body_head[body]; key != CNI_NONE; key = cni_planner_next(p, key), ++count)
 		if (!p->seen[key >> 1]) {
 			p->seen[key >> 1] = 1;
 			p->member[p->member_count++] = key >> 1;
@@ -52,13 +51,12 @@ static void body_reach(cni_planner *p, int32_t body)
 /* Collects the nodes connected with `start`, breadth first. */
 static void component_collect(cni_planner *p, int32_t start)
 {
-	int32_t at, side;
 	p->member_count = p->body_count = p->ends = p->pairs = p->hub = 0;
 	p->tree_work = 0;
 	p->member[p->member_count++] = start;
 	p->seen[start] = 1;
-	for (at = 0; at < p->member_count; ++at)
-		for (side = 0; side < 2; ++side) {
+	for (int32_t at = 0; at < p->member_count; ++at)
+		for (int32_t side = 0; side < 2; ++side) {
 			int32_t body = cni_planner_body(p, p->member[at], side);
 			p->ends += body != 0;
 			if (body != 0 && !p->body_reached[body])
@@ -71,11 +69,10 @@ static void component_collect(cni_planner *p, int32_t start)
 
 static int64_t component_limit(const cni_planner *p)
 {
-	int32_t k, each = 0;
-	int64_t most;
-	for (k = 0; k < p->member_count; ++k)
+	int32_t each = 0;
+	for (int32_t k = 0; k < p->member_count; ++k)
 		each = cni_max_i(each, p->system->links[p->member[k]].work_most);
-	most = (int64_t)each * p->member_count + 64;
+	int64_t most = (int64_t)each * p->member_count + 64;
 	most = most < p->budget ? most : p->budget;
 	return most < INT32_MAX ? most : INT32_MAX; /* cni_component.work */
 }
@@ -83,8 +80,8 @@ static int64_t component_limit(const cni_planner *p)
 /* For a tree: 1 when no body has more than two nodes and the first node is an end of the chain. */
 static int32_t is_chain_from_its_end(const cni_planner *p)
 {
-	int32_t side, meets = 0;
-	for (side = 0; side < 2; ++side) {
+	int32_t meets = 0;
+	for (int32_t side = 0; side < 2; ++side) {
 		int32_t body = cni_planner_body(p, p->member[0], side);
 		meets += body != 0 && cni_planner_next(p, p->body_head[body]) != CNI_NONE;
 	}
@@ -93,7 +90,7 @@ static int32_t is_chain_from_its_end(const cni_planner *p)
 
 static int32_t tree_order(cni_planner *p, int64_t most)
 {
-	int32_t k, base = p->out->node_count, forward = is_chain_from_its_end(p);
+	int32_t base = p->out->node_count, forward = is_chain_from_its_end(p);
 	if (p->tree_work > most)
 		return 0;
 	p->work = p->tree_work;
@@ -101,7 +98,7 @@ static int32_t tree_order(cni_planner *p, int64_t most)
 		cni_planner_order_tree(p);
 		return 1;
 	}
-	for (k = 0; k < p->member_count; ++k) {
+	for (int32_t k = 0; k < p->member_count; ++k) {
 		int32_t from = p->member_count - 1 - (forward ? k / 2 : k), node = p->member[forward && k % 2 == 0 ? k / 2 : from];
 		p->order[base + k] = node;
 		p->position[node] = base + k;
@@ -131,7 +128,7 @@ static void component_plan(cni_planner *p)
 {
 	cni_sparse *s = p->out;
 	cni_component *c = &s->components[s->component_count];
-	int32_t k, tree = p->ends == p->member_count + p->body_count - 1;
+	int32_t tree = p->ends == p->member_count + p->body_count - 1;
 	if (p->hub > CNI_HUB_MOST || !(tree ? tree_order(p, component_limit(p)) : loops_order(p, component_limit(p))))
 		return;
 	memset(c, 0, sizeof *c);
@@ -147,7 +144,7 @@ static void component_plan(cni_planner *p)
 	c->loops = !tree || p->member_count > p->body_count;
 	c->width = 2;
 	p->budget -= p->work;
-	for (k = 0; k < p->member_count; ++k) {
+	for (int32_t k = 0; k < p->member_count; ++k) {
 		const int32_t node = p->member[k];
 		p->planned[node] = 1;
 		s->block_count += tree ? 0 : p->list_count[node];
@@ -161,9 +158,8 @@ static void component_plan(cni_planner *p)
 
 void cni_planner_components(cni_planner *p)
 {
-	int32_t k;
 	bodies_collect(p);
-	for (k = 0; k < p->system->link_count && !p->no_memory; ++k)
+	for (int32_t k = 0; k < p->system->link_count && !p->no_memory; ++k)
 		if (!p->seen[k]) {
 			component_collect(p, k);
 			component_plan(p);

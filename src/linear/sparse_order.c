@@ -44,10 +44,9 @@ static int32_t pool_grow(cni_planner *p, int32_t count)
 /* An empty list for `count` nodes. NULL: no room. */
 static int32_t *list_alloc(cni_planner *p, int32_t count)
 {
-	int32_t *list;
 	if (count > p->pool_left && !pool_grow(p, count))
 		return NULL;
-	list = p->pool;
+	int32_t *list = p->pool;
 	p->pool += count;
 	p->pool_left -= count;
 	return list;
@@ -59,12 +58,11 @@ static int32_t *list_alloc(cni_planner *p, int32_t count)
 static int32_t clique_collect(cni_planner *p, int32_t body)
 {
 	cni_clique *c = &p->clique[body];
-	int32_t key;
 	c->nodes = list_alloc(p, cni_planner_nodes_at(p, body));
 	c->count = c->met = 0;
 	if (c->nodes == NULL)
 		return 0;
-	for (key = p->body_head[body]; key != CNI_NONE; key = cni_planner_next(p, key))
+	for (int32_t key = p->body_head[body]; key != CNI_NONE; key = cni_planner_next(p, key))
 		c->nodes[c->count++] = key >> 1;
 	return 1;
 }
@@ -72,18 +70,17 @@ static int32_t clique_collect(cni_planner *p, int32_t body)
 /* Makes the cliques of all bodies of the component. 0: no room. */
 static int32_t cliques_collect(cni_planner *p)
 {
-	int32_t k, side;
 	memset(&p->clique[0], 0, sizeof(cni_clique));
-	for (k = 0; k < p->member_count; ++k) {
+	for (int32_t k = 0; k < p->member_count; ++k) {
 		int32_t node = p->member[k];
 		p->mark[node] = CNI_NONE;
-		for (side = 0; side < 2; ++side) {
+		for (int32_t side = 0; side < 2; ++side) {
 			p->in[side][node] = cni_planner_body(p, node, side);
 			p->clique[p->in[side][node]].nodes = NULL;
 		}
 	}
-	for (k = 0; k < p->member_count; ++k)
-		for (side = 0; side < 2; ++side) {
+	for (int32_t k = 0; k < p->member_count; ++k)
+		for (int32_t side = 0; side < 2; ++side) {
 			int32_t body = p->in[side][p->member[k]];
 			if (body != 0 && p->clique[body].nodes == NULL && !clique_collect(p, body))
 				return 0;
@@ -100,8 +97,7 @@ static int32_t clique_other(const cni_planner *p, int32_t node, int32_t body)
 /* Appends the nodes of a clique to v's column, except v and nodes that are already there. */
 static void column_add(cni_planner *p, int32_t v, const cni_clique *c)
 {
-	int32_t k;
-	for (k = 0; k < c->count; ++k) {
+	for (int32_t k = 0; k < c->count; ++k) {
 		int32_t node = c->nodes[k];
 		if (node == v || p->mark[node] == v)
 			continue;
@@ -114,8 +110,7 @@ static void column_add(cni_planner *p, int32_t v, const cni_clique *c)
 static void nodes_move(cni_planner *p, int32_t part, int32_t body)
 {
 	const cni_clique *c = &p->clique[part];
-	int32_t k;
-	for (k = 0; k < c->count; ++k) {
+	for (int32_t k = 0; k < c->count; ++k) {
 		int32_t node = c->nodes[k], side = p->in[1][node] == part;
 		p->in[side][node] = p->in[1 - side][node] == body ? 0 : body;
 	}
@@ -155,17 +150,15 @@ static int32_t degree_in(const cni_planner *p, const cni_clique *c, int32_t othe
 static void shared_count(cni_planner *p, int32_t body, int32_t add)
 {
 	const cni_clique *c = &p->clique[body];
-	int32_t k;
-	for (k = 0; k < c->count; ++k)
+	for (int32_t k = 0; k < c->count; ++k)
 		p->clique[clique_other(p, c->nodes[k], body)].met += add;
 }
 
 static void degrees_update(cni_planner *p, int32_t body)
 {
 	const cni_clique *c = &p->clique[body];
-	int32_t k;
 	shared_count(p, body, 1);
-	for (k = 0; k < c->count; ++k) {
+	for (int32_t k = 0; k < c->count; ++k) {
 		int32_t node = c->nodes[k], degree = degree_in(p, c, clique_other(p, node, body));
 		degree_unlink(p, node);
 		degree_link(p, node, degree);
@@ -176,11 +169,10 @@ static void degrees_update(cni_planner *p, int32_t body)
 /* Initial degrees. */
 static void degrees_begin(cni_planner *p)
 {
-	int32_t k, side;
-	for (k = 0; k < p->member_count; ++k)
+	for (int32_t k = 0; k < p->member_count; ++k)
 		p->degree[p->member[k]] = 0;
-	for (k = 0; k < p->member_count; ++k)
-		for (side = 0; side < 2; ++side) {
+	for (int32_t k = 0; k < p->member_count; ++k)
+		for (int32_t side = 0; side < 2; ++side) {
 			int32_t node = p->member[k], body = p->in[side][node];
 			if (body == 0 || p->degree[node] != 0)
 				continue;
@@ -214,19 +206,18 @@ static int32_t node_eliminate(cni_planner *p, int32_t v)
 
 int32_t cni_planner_order(cni_planner *p, int64_t most)
 {
-	int32_t k, degree = 0, at = p->out->node_count;
+	int32_t degree = 0, at = p->out->node_count;
 	p->work = 0;
 	if (!cliques_collect(p))
 		return 0;
 	degrees_begin(p);
 	memset(p->degree_head, 0xff, sizeof(int32_t) * (size_t)p->member_count);
-	for (k = p->member_count - 1; k >= 0; --k)
+	for (int32_t k = p->member_count - 1; k >= 0; --k)
 		degree_link(p, p->member[k], p->degree[p->member[k]]); /* backwards, so that lists begin with the first node */
-	for (k = 0; k < p->member_count; ++k) {
-		int32_t v;
+	for (int32_t k = 0; k < p->member_count; ++k) {
 		while (p->degree_head[degree] == CNI_NONE)
 			++degree;
-		v = p->degree_head[degree];
+		int32_t v = p->degree_head[degree];
 		degree_unlink(p, v);
 		p->order[at + k] = v;
 		p->position[v] = at + k;

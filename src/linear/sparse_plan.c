@@ -113,12 +113,11 @@ static uint64_t planner_cut(uint8_t *memory, int32_t n, int32_t bodies, cni_plan
 	piece at = { memory, 0 };
 	int32_t **ints[] = { &p->node_next[0], &p->node_next[1], &p->member, &p->list_count, &p->in[0], &p->in[1], &p->mark, &p->degree, &p->degree_head,
 		&p->degree_next, &p->degree_prev, &p->order, &p->position };
-	size_t k;
 	p->list = (int32_t **)alloc(&at, sizeof(int32_t *) * (uint64_t)n);
 	out->components = (cni_component *)alloc(&at, sizeof(cni_component) * (uint64_t)n);
 	p->clique = (cni_clique *)alloc(&at, sizeof(cni_clique) * (uint64_t)bodies);
 	p->body_head = alloc_ints(&at, bodies);
-	for (k = 0; k < sizeof ints / sizeof ints[0]; ++k)
+	for (size_t k = 0; k < sizeof ints / sizeof ints[0]; ++k)
 		*ints[k] = alloc_ints(&at, n);
 	p->seen = (uint8_t *)alloc(&at, (uint64_t)n);
 	p->body_reached = (uint8_t *)alloc(&at, (uint64_t)bodies);
@@ -144,9 +143,9 @@ uint64_t cni_sparse_bytes(int32_t count, int32_t body_count, int64_t work_most)
 
 static void sort_ascending(int32_t *list, int32_t count)
 {
-	int32_t gap, i, k;
-	for (gap = count / 2; gap > 0; gap = gap == 2 ? 1 : gap * 5 / 11)
-		for (i = gap; i < count; ++i) {
+	int32_t k;
+	for (int32_t gap = count / 2; gap > 0; gap = gap == 2 ? 1 : gap * 5 / 11)
+		for (int32_t i = gap; i < count; ++i) {
 			int32_t value = list[i];
 			for (k = i; k >= gap && list[k - gap] > value; k -= gap)
 				list[k] = list[k - gap];
@@ -157,11 +156,11 @@ static void sort_ascending(int32_t *list, int32_t count)
 /* Writes node k's couplings with later nodes that share a body, ascending. Returns their end. */
 static cni_coupling *couplings_write(const cni_planner *p, int32_t k, cni_coupling *begin)
 {
-	int32_t side, key, v = p->order[k];
+	int32_t v = p->order[k];
 	cni_coupling *end = begin, *at;
-	for (side = 0; side < 2; ++side) {
+	for (int32_t side = 0; side < 2; ++side) {
 		int32_t body = cni_planner_body(p, v, side);
-		for (key = body == 0 ? CNI_NONE : p->body_head[body]; key != CNI_NONE; key = cni_planner_next(p, key)) {
+		for (int32_t key = body == 0 ? CNI_NONE : p->body_head[body]; key != CNI_NONE; key = cni_planner_next(p, key)) {
 			int32_t high = p->position[key >> 1];
 			if (high <= k)
 				continue;
@@ -180,8 +179,8 @@ static cni_coupling *couplings_write(const cni_planner *p, int32_t k, cni_coupli
 /* Writes node k's column, ascending: its couplings in a tree, else its list. Returns its end. */
 static int32_t column_write(const cni_planner *p, const cni_component *c, int32_t k, const cni_coupling *begin, const cni_coupling *end, int32_t *below, int32_t at)
 {
-	int32_t e, count = c->tree ? (int32_t)(end - begin) : p->list_count[p->order[k]];
-	for (e = 0; e < count; ++e)
+	int32_t count = c->tree ? (int32_t)(end - begin) : p->list_count[p->order[k]];
+	for (int32_t e = 0; e < count; ++e)
 		below[at + e] = c->tree ? begin[e].high : p->position[p->list[p->order[k]][e]];
 	if (!c->tree)
 		sort_ascending(below + at, count);
@@ -191,8 +190,7 @@ static int32_t column_write(const cni_planner *p, const cni_component *c, int32_
 static void component_write(const cni_planner *p, const cni_component *c, kept_plan *kept)
 {
 	cni_coupling *begin = kept->couplings + c->coupling_begin, *end;
-	int32_t k;
-	for (k = c->begin; k < c->end; ++k, begin = end) {
+	for (int32_t k = c->begin; k < c->end; ++k, begin = end) {
 		int32_t e = kept->first[k];
 		end = couplings_write(p, k, begin);
 		kept->first[k + 1] = column_write(p, c, k, begin, end, kept->below, e);
@@ -208,9 +206,9 @@ static void component_write(const cni_planner *p, const cni_component *c, kept_p
 /* Writes every body of the component once, in the order of its nodes. */
 static void bodies_write(const cni_planner *p, const cni_component *c, int32_t *bodies)
 {
-	int32_t k, side, at = c->body_begin;
-	for (k = c->begin; k < c->end; ++k)
-		for (side = 0; side < 2; ++side) {
+	int32_t at = c->body_begin;
+	for (int32_t k = c->begin; k < c->end; ++k)
+		for (int32_t side = 0; side < 2; ++side) {
 			int32_t body = cni_planner_body(p, p->order[k], side);
 			if (body == 0 || !p->body_reached[body])
 				continue;
@@ -228,15 +226,14 @@ static uint8_t link_moving(const cni_planner *p, int32_t node)
 static void plan_write(const cni_planner *p, kept_plan *kept)
 {
 	const cni_system *system = p->system;
-	int32_t k;
 	memcpy(kept->links, system->links, sizeof(cni_link) * (size_t)system->link_count);
 	memcpy(kept->planned, p->planned, (size_t)system->link_count);
 	memcpy(kept->order, p->order, sizeof(int32_t) * (size_t)p->out->node_count);
 	memcpy(kept->components, p->out->components, sizeof(cni_component) * (size_t)p->out->component_count);
-	for (k = 0; k < system->link_count; ++k)
+	for (int32_t k = 0; k < system->link_count; ++k)
 		kept->moving[k] = link_moving(p, k);
 	kept->first[0] = 0;
-	for (k = 0; k < p->out->component_count; ++k) {
+	for (int32_t k = 0; k < p->out->component_count; ++k) {
 		component_write(p, &kept->components[k], kept);
 		bodies_write(p, &kept->components[k], kept->bodies);
 	}
@@ -275,11 +272,10 @@ static uint8_t *kept_reserve(cni_arena *arena, cni_array *kept, uint64_t bytes)
 static int32_t kept_fits(const cni_planner *p, const kept_plan *kept)
 {
 	const cni_system *system = p->system;
-	int32_t k;
 	if (kept->head->link_count != system->link_count || kept->head->budget != system->budget ||
 	    memcmp(kept->links, system->links, sizeof(cni_link) * (size_t)system->link_count) != 0)
 		return 0;
-	for (k = 0; k < system->link_count; ++k)
+	for (int32_t k = 0; k < system->link_count; ++k)
 		if (kept->moving[k] != link_moving(p, k))
 			return 0;
 	return 1;
@@ -290,14 +286,12 @@ static int32_t plan_make(cni_planner *p, cni_array *array, kept_plan *kept)
 {
 	const int32_t links = p->system->link_count, bodies = p->system->motion_count, before = p->arena->entry_count;
 	uint8_t *memory = (uint8_t *)cni_arena_push(p->arena, planner_cut(NULL, links, bodies, p, p->out));
-	kept_head head;
-	int32_t after;
 	if (memory == NULL)
 		return 0;
 	(void)planner_cut(memory, links, bodies, p, p->out);
 	cni_planner_components(p);
-	head = head_of(p);
-	after = p->arena->entry_count;
+	kept_head head = head_of(p);
+	int32_t after = p->arena->entry_count;
 	memory = p->no_memory ? NULL : kept_reserve(p->arena, array, kept_cut(NULL, &head, kept));
 	if (memory == NULL)
 		return 0;
@@ -316,14 +310,13 @@ static int32_t plan_take(const cni_planner *p, const kept_plan *kept)
 {
 	const kept_head *h = kept->head;
 	cni_sparse *s = p->out;
-	int32_t k;
 	s->nodes = (cni_node *)cni_arena_push(p->arena, node_bytes(h->node_count, h->component_count));
 	s->pivots = (float *)cni_arena_push(p->arena, block_bytes(h->node_count + h->block_count));
 	if (s->nodes == NULL || s->pivots == NULL)
 		return 0;
 	s->components = (cni_component *)(void *)((uint8_t *)s->nodes + rounded((uint64_t)h->node_count * sizeof(cni_node)));
 	s->blocks = s->pivots + (size_t)h->node_count * CNI_BLOCK_FLOATS;
-	for (k = 0; k < h->node_count; ++k) {
+	for (int32_t k = 0; k < h->node_count; ++k) {
 		const cni_link *link = &kept->links[kept->order[k]];
 		s->nodes[k].ia = link->ia;
 		s->nodes[k].ib = link->ib;
@@ -347,9 +340,8 @@ static int32_t plan_take(const cni_planner *p, const kept_plan *kept)
 /* Finds the topology classes of a new plan and keeps them with it. */
 static void classes_keep(cni_sparse *s, const cni_motion *motions, kept_plan *kept)
 {
-	int32_t k;
 	cni_topology_classes_find(s, motions);
-	for (k = 0; k < s->component_count; ++k)
+	for (int32_t k = 0; k < s->component_count; ++k)
 		kept->components[k].kind = s->components[k].kind;
 }
 
@@ -358,14 +350,14 @@ int32_t cni_sparse_plan(cni_arena *arena, cni_array *kept, const cni_system *sys
 	cni_planner p;
 	kept_plan plan;
 	int64_t work_most = 0;
-	int32_t k, reusable = 0;
+	int32_t reusable = 0;
 	memset(&p, 0, sizeof p);
 	p.arena = arena;
 	p.system = system;
 	p.out = out;
 	p.planned = out_planned;
 	p.budget = system->budget;
-	for (k = 0; k < system->link_count; ++k)
+	for (int32_t k = 0; k < system->link_count; ++k)
 		work_most += system->links[k].work_most;
 	p.pool_most = pool_most(system->link_count, work_most);
 	out->arena_entries = arena->entry_count;
@@ -389,8 +381,7 @@ int32_t cni_sparse_plan(cni_arena *arena, cni_array *kept, const cni_system *sys
 
 void cni_sparse_clear(cni_sparse *s, const cni_component *c)
 {
-	int32_t k;
-	for (k = c->begin; k < c->end; ++k) {
+	for (int32_t k = c->begin; k < c->end; ++k) {
 		cni_node *n = &s->nodes[k];
 		memset(&n->active, 0, sizeof *n - offsetof(cni_node, active));
 	}

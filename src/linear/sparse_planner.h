@@ -68,8 +68,8 @@ static inline int32_t cni_planner_next(const cni_planner *p, int32_t key)
 /* Number of nodes at a body that can move. */
 static inline int32_t cni_planner_nodes_at(const cni_planner *p, int32_t body)
 {
-	int32_t key, count = 0;
-	for (key = p->body_head[body]; key != CNI_NONE; key = cni_planner_next(p, key))
+	int32_t count = 0;
+	for (int32_t key = p->body_head[body]; key != CNI_NONE; key = cni_planner_next(p, key))
 		++count;
 	return count;
 }

@@ -69,17 +69,16 @@ CNI_INLINE void diagonal_form(cni_node *n, float *d, const cni_motion *motions, 
 	const cni_levers *l = &n->levers;
 	cni_four ax = cni_four_load(l->ax), ay = cni_four_load(l->ay), aw = cni_four_load(l->aw);
 	cni_four bx = cni_four_load(l->bx), by = cni_four_load(l->by), bw = cni_four_load(l->bw), rows[CNI_NODE_ROWS];
-	int32_t i;
-	for (i = 0; i < vectors_of(w); ++i) {
+	for (int32_t i = 0; i < vectors_of(w); ++i) {
 		cni_four sum = cni_four_scale(cni_four_add(outer(l->ax, 1.0f, ax, i, w), outer(l->ay, 1.0f, ay, i, w)), a->inv_mass);
 		sum = cni_four_add(sum, outer(l->aw, a->inv_inertia, aw, i, w));
 		sum = cni_four_add(sum, cni_four_scale(cni_four_add(outer(l->bx, 1.0f, bx, i, w), outer(l->by, 1.0f, by, i, w)), b->inv_mass));
 		rows[i] = cni_four_add(sum, outer(l->bw, b->inv_inertia, bw, i, w));
 	}
-	for (i = 0; i < vectors_of(w); ++i)
+	for (int32_t i = 0; i < vectors_of(w); ++i)
 		cni_four_store(d + 4 * i, rows[i]);
 	d[w == 2 ? 2 : 4] += n->cross;
-	for (i = 0; i < w; ++i) {
+	for (int32_t i = 0; i < w; ++i) {
 		float *x = &d[diagonal_at(i, w)];
 		*x += regular * *x + n->compliance[i];
 		n->diagonal[i] = *x;
@@ -95,10 +94,9 @@ CNI_INLINE void coupling_add(const cni_sparse *s, const cni_coupling *c, const c
 	cni_four hx = cni_four_scale(cni_four_load(c->high_side ? high->bx : high->ax), m->inv_mass);
 	cni_four hy = cni_four_scale(cni_four_load(c->high_side ? high->by : high->ay), m->inv_mass);
 	cni_four hw = cni_four_scale(cni_four_load(c->high_side ? high->bw : high->aw), m->inv_inertia), columns[CNI_NODE_ROWS];
-	int32_t i;
-	for (i = 0; i < vectors_of(w); ++i)
+	for (int32_t i = 0; i < vectors_of(w); ++i)
 		columns[i] = cni_four_add(cni_four_add(outer(lx, 1.0f, hx, i, w), outer(ly, 1.0f, hy, i, w)), outer(lw, 1.0f, hw, i, w));
-	for (i = 0; i < vectors_of(w); ++i)
+	for (int32_t i = 0; i < vectors_of(w); ++i)
 		cni_four_store(block + 4 * i, first ? columns[i] : cni_four_add(cni_four_load(block + 4 * i), columns[i]));
 }
 
@@ -138,14 +136,13 @@ typedef struct factor_elements {
 CNI_INLINE factor_elements elements_of(const float *block, int32_t used, int32_t w)
 {
 	factor_elements f;
-	int32_t i, k;
 	if (w == 2) {
 		cni_four b = cni_four_load(block);
 		f.at[0][0] = CNI_FOUR_PICK(b, b, 0, 0, 1, 1);
 		f.at[0][1] = CNI_FOUR_PICK(b, b, 2, 2, 3, 3);
 	}
-	for (i = 0; i < 3 && w == 3; ++i)
-		for (k = 0; k < used; ++k)
+	for (int32_t i = 0; i < 3 && w == 3; ++i)
+		for (int32_t k = 0; k < used; ++k)
 			f.at[i][k] = cni_four_all(block[4 * k + i]);
 	return f;
 }
@@ -154,11 +151,10 @@ CNI_INLINE factor_elements elements_of(const float *block, int32_t used, int32_t
 CNI_INLINE cni_four vector_times(const factor_elements *left, int32_t i, const float *block, int32_t used, int32_t w)
 {
 	cni_four b = cni_four_load(block), sum;
-	int32_t k;
 	if (w == 2)
 		return cni_four_add(cni_four_times(left->at[0][0], CNI_FOUR_PICK(b, b, 0, 1, 0, 1)), cni_four_times(left->at[0][1], CNI_FOUR_PICK(b, b, 2, 3, 2, 3)));
 	sum = cni_four_times(left->at[i][0], b);
-	for (k = 1; k < used; ++k)
+	for (int32_t k = 1; k < used; ++k)
 		sum = cni_four_add(sum, cni_four_times(left->at[i][k], cni_four_load(block + 4 * k)));
 	return sum;
 }
@@ -166,9 +162,8 @@ CNI_INLINE cni_four vector_times(const factor_elements *left, int32_t i, const f
 /* target -= right * left^T, for `count` consecutive blocks */
 CNI_INLINE void blocks_update(float *target, const factor_elements *left, const float *right, int32_t count, int32_t used, int32_t w)
 {
-	int32_t i, k;
-	for (k = 0; k < count; ++k, target += block_floats(w), right += block_floats(w))
-		for (i = 0; i < vectors_of(w); ++i)
+	for (int32_t k = 0; k < count; ++k, target += block_floats(w), right += block_floats(w))
+		for (int32_t i = 0; i < vectors_of(w); ++i)
 			cni_four_store(target + 4 * i, cni_four_subtract(cni_four_load(target + 4 * i), vector_times(left, i, right, used, w)));
 }
 
@@ -187,23 +182,23 @@ CNI_INLINE int32_t run_length(const cni_sparse *s, int32_t e, int32_t end, int32
 /* Eliminates node k, of which `used` rows are not zero, from all later nodes. Its blocks are multiplied by its pivot. */
 CNI_INLINE void node_eliminate(const cni_sparse *s, const region *r, int32_t k, float least, int32_t used, int32_t w)
 {
-	int32_t e, f, i, run, end = s->first[k + 1];
+	int32_t run, end = s->first[k + 1];
 	float *d = pivot_at(r, k, w), scaled[CNI_BLOCK_FLOATS];
 	factor_elements pivot, left;
 	pivot_invert(d, s->nodes[k].diagonal, least, used, w);
 	if (s->first[k] == end)
 		return;
 	pivot = elements_of(d, used, w);
-	for (e = s->first[k]; e < end; ++e) {
+	for (int32_t e = s->first[k]; e < end; ++e) {
 		int32_t m = s->below[e], at = s->first[m];
 		float *block = block_at(r, e, w);
-		for (i = 0; i < (w == 2 ? 1 : used); ++i)
+		for (int32_t i = 0; i < (w == 2 ? 1 : used); ++i)
 			cni_four_store(scaled + 4 * i, vector_times(&pivot, i, block, used, w));
 		left = elements_of(scaled, used, w);
 		blocks_update(pivot_at(r, m, w), &left, block, 1, used, w);
-		for (i = 0; i < (w == 2 ? 1 : used); ++i)
+		for (int32_t i = 0; i < (w == 2 ? 1 : used); ++i)
 			cni_four_store(block + 4 * i, cni_four_load(scaled + 4 * i));
-		for (f = e + 1; f < end; f += run, at += run) {
+		for (int32_t f = e + 1; f < end; f += run, at += run) {
 			while (s->below[at] != s->below[f])
 				++at;
 			run = run_length(s, f, end, at, s->first[m + 1]);
@@ -224,9 +219,8 @@ static int32_t rows_used(const cni_levers *l)
 
 CNI_INLINE void blocks_clear(const region *r, int32_t block, int32_t end, int32_t w)
 {
-	int32_t i;
 	for (; block < end; ++block)
-		for (i = 0; i < vectors_of(w); ++i)
+		for (int32_t i = 0; i < vectors_of(w); ++i)
 			cni_four_store(block_at(r, block, w) + 4 * i, cni_four_all(0.0f));
 }
 
@@ -234,17 +228,17 @@ CNI_INLINE void factor(cni_sparse *s, const cni_component *c, const cni_motion *
 {
 	region r = region_of(s, c);
 	float least = cni_max(CNI_PIVOT_LEAST, PIVOT_LEAST_REGULAR * c->regular);
-	int32_t k, formed = r.block_first;
-	for (k = c->begin; k < c->end; ++k)
+	int32_t formed = r.block_first;
+	for (int32_t k = c->begin; k < c->end; ++k)
 		diagonal_form(&s->nodes[k], pivot_at(&r, k, w), motions, c->regular, w);
-	for (k = c->coupling_begin; k < c->coupling_end; ++k) { /* by block, ascending; between them is fill */
+	for (int32_t k = c->coupling_begin; k < c->coupling_end; ++k) { /* by block, ascending; between them is fill */
 		const int32_t block = s->couplings[k].block, first = block >= formed;
 		blocks_clear(&r, formed, block, w);
 		coupling_add(s, &s->couplings[k], motions, block_at(&r, block, w), first, w);
 		formed = block + 1;
 	}
 	blocks_clear(&r, formed, s->first[c->end], w);
-	for (k = c->begin; k < c->end; ++k) {
+	for (int32_t k = c->begin; k < c->end; ++k) {
 		int32_t used = w == 2 ? 2 : rows_used(&s->nodes[k].levers);
 		if (w == 2 || used == 2)
 			node_eliminate(s, &r, k, least, 2, w);
@@ -266,19 +260,17 @@ void cni_sparse_factor(cni_sparse *s, const cni_component *c, const cni_motion *
 void cni_sparse_take(cni_sparse *s, const cni_component *c, const float *pivots, const float *blocks, int32_t stride)
 {
 	region r = region_of(s, c);
-	int32_t k;
-	for (k = c->begin; k < c->end; ++k, pivots += 3 * stride)
+	for (int32_t k = c->begin; k < c->end; ++k, pivots += 3 * stride)
 		cni_four_store(pivot_at(&r, k, 2), cni_four_of(pivots[0], pivots[stride], pivots[stride], pivots[2 * stride]));
-	for (k = r.block_first; k < s->first[c->end]; ++k, blocks += 4 * stride)
+	for (int32_t k = r.block_first; k < s->first[c->end]; ++k, blocks += 4 * stride)
 		cni_four_store(block_at(&r, k, 2), cni_four_of(blocks[0], blocks[2 * stride], blocks[stride], blocks[3 * stride]));
 }
 
 int32_t cni_sparse_is_redundant(const cni_sparse *s, const cni_component *c, float part)
 {
 	region r = region_of(s, c);
-	int32_t k, i;
-	for (k = c->begin; k < c->end; ++k)
-		for (i = 0; i < s->nodes[k].rows; ++i) {
+	for (int32_t k = c->begin; k < c->end; ++k)
+		for (int32_t i = 0; i < s->nodes[k].rows; ++i) {
 			float inverse = pivot_at(&r, k, c->width)[diagonal_at(i, c->width)];
 			if (inverse == 0.0f || part * s->nodes[k].diagonal[i] * inverse > 1.0f)
 				return 1;
@@ -292,8 +284,7 @@ int32_t cni_sparse_is_redundant(const cni_sparse *s, const cni_component *c, flo
 CNI_INLINE cni_four columns_apply(const float *block, cni_four y, int32_t w)
 {
 	cni_four p[CNI_NODE_ROWS];
-	int32_t i;
-	for (i = 0; i < vectors_of(w); ++i)
+	for (int32_t i = 0; i < vectors_of(w); ++i)
 		p[i] = cni_four_times(cni_four_load(block + 4 * i), w == 2 ? CNI_FOUR_PICK(y, y, 0, 1, 0, 1) : y);
 	if (w == 2)
 		return cni_four_add(CNI_FOUR_PICK(p[0], p[0], 0, 2, 0, 2), CNI_FOUR_PICK(p[0], p[0], 1, 3, 1, 3));
@@ -308,27 +299,26 @@ CNI_INLINE int32_t solve(cni_sparse *s, const cni_component *c, int32_t w)
 	cni_node *nodes = s->nodes;
 	const cni_four zero = cni_four_all(0.0f);
 	cni_four finite = zero; /* sum of 0 * x: stays 0 while all x are finite */
-	int32_t k, e, i;
-	for (k = c->begin; k < c->end; ++k) {
+	for (int32_t k = c->begin; k < c->end; ++k) {
 		cni_four x = cni_four_load(nodes[k].x), lanes[CNI_NODE_ROWS];
 		if (nodes[k].x[0] == 0.0f && nodes[k].x[1] == 0.0f && (w == 2 || nodes[k].x[2] == 0.0f))
 			continue; /* right sides of few nodes: direct/heavy_contacts.c */
 		lanes[0] = w == 2 ? CNI_FOUR_PICK(x, x, 0, 0, 1, 1) : CNI_FOUR_PICK(x, x, 0, 0, 0, 0);
 		lanes[1] = CNI_FOUR_PICK(x, x, 1, 1, 1, 1);
 		lanes[2] = CNI_FOUR_PICK(x, x, 2, 2, 2, 2);
-		for (e = s->first[k]; e < s->first[k + 1]; ++e) {
+		for (int32_t e = s->first[k]; e < s->first[k + 1]; ++e) {
 			const float *block = block_at(&r, e, w);
 			float *y = nodes[s->below[e]].x;
 			cni_four sum = cni_four_times(cni_four_load(block), lanes[0]);
-			for (i = 1; i < vectors_of(w); ++i)
+			for (int32_t i = 1; i < vectors_of(w); ++i)
 				sum = cni_four_add(sum, cni_four_times(cni_four_load(block + 4 * i), lanes[i]));
 			sum = w == 2 ? cni_four_add(sum, CNI_FOUR_PICK(sum, sum, 2, 3, 2, 3)) : sum;
 			cni_four_store(y, cni_four_subtract(cni_four_load(y), sum));
 		}
 	}
-	for (k = c->end - 1; k >= c->begin; --k) {
+	for (int32_t k = c->end - 1; k >= c->begin; --k) {
 		cni_four x = columns_apply(pivot_at(&r, k, w), cni_four_load(nodes[k].x), w);
-		for (e = s->first[k]; e < s->first[k + 1]; ++e)
+		for (int32_t e = s->first[k]; e < s->first[k + 1]; ++e)
 			x = cni_four_subtract(x, columns_apply(block_at(&r, e, w), cni_four_load(nodes[s->below[e]].x), w));
 		x = w == 2 ? CNI_FOUR_PICK(x, zero, 0, 1, 4, 4) : x;
 		cni_four_store(nodes[k].x, x);

@@ -43,15 +43,14 @@ static uint32_t hash_mix(uint32_t x)
 
 static void root_at(const cni_planner *p, int32_t root, rooted_tree *t)
 {
-	int32_t k, key;
 	t->count = 1;
 	t->body[0] = root;
 	t->node[0] = t->parent[0] = CNI_NONE;
 	t->side[0] = 0;
-	for (k = 0; k < t->count; ++k) {
+	for (int32_t k = 0; k < t->count; ++k) {
 		t->first[k] = t->count;
 		t->hash[k] = t->body[k] == 0 ? 1u : 2u;
-		for (key = t->body[k] == 0 ? CNI_NONE : p->body_head[t->body[k]]; key != CNI_NONE; key = cni_planner_next(p, key)) {
+		for (int32_t key = t->body[k] == 0 ? CNI_NONE : p->body_head[t->body[k]]; key != CNI_NONE; key = cni_planner_next(p, key)) {
 			int32_t at = t->count;
 			if (key >> 1 == t->node[k])
 				continue;
@@ -63,7 +62,7 @@ static void root_at(const cni_planner *p, int32_t root, rooted_tree *t)
 		}
 	}
 	t->first[t->count] = t->count;
-	for (k = t->count - 1; k >= 0; --k) {
+	for (int32_t k = t->count - 1; k >= 0; --k) {
 		t->hash[k] = hash_mix(t->hash[k] + (uint32_t)t->side[k]);
 		if (k > 0)
 			t->hash[t->parent[k]] += hash_mix(t->hash[k]);
@@ -74,10 +73,9 @@ static void root_at(const cni_planner *p, int32_t root, rooted_tree *t)
 static void root_at_best(const cni_planner *p, rooted_tree *out)
 {
 	rooted_tree t;
-	int32_t k, side;
 	out->count = out->body[0] = 0;
-	for (k = 0; k < p->member_count; ++k)
-		for (side = 0; side < 2; ++side) {
+	for (int32_t k = 0; k < p->member_count; ++k)
+		for (int32_t side = 0; side < 2; ++side) {
 			int32_t body = cni_planner_body(p, p->member[k], side);
 			if (body == 0 || cni_planner_nodes_at(p, body) < p->hub || body == out->body[0])
 				continue;
@@ -90,19 +88,19 @@ static void root_at_best(const cni_planner *p, rooted_tree *out)
 void cni_planner_order_tree(cni_planner *p)
 {
 	rooted_tree t;
-	int32_t queue[CNI_TOPOLOGY_NODES + 1], count = 1, at, k, base = p->out->node_count;
+	int32_t queue[CNI_TOPOLOGY_NODES + 1], count = 1, base = p->out->node_count;
 	root_at_best(p, &t);
 	queue[0] = 0;
-	for (at = 0; at < count; ++at) {
+	for (int32_t at = 0; at < count; ++at) {
 		int32_t begin = count, v = queue[at];
-		for (k = t.first[v]; k < t.first[v + 1]; ++k) {
+		for (int32_t k = t.first[v]; k < t.first[v + 1]; ++k) {
 			int32_t to = count++;
 			for (; to > begin && t.hash[queue[to - 1]] > t.hash[k]; --to)
 				queue[to] = queue[to - 1];
 			queue[to] = k;
 		}
 	}
-	for (k = 1; k < count; ++k) {
+	for (int32_t k = 1; k < count; ++k) {
 		p->order[base + p->member_count - k] = t.node[queue[k]];
 		p->position[t.node[queue[k]]] = base + p->member_count - k;
 	}
@@ -113,10 +111,10 @@ void cni_planner_order_tree(cni_planner *p)
 /* Two ends that cannot move would close a loop through the world, so c->loops excludes more than one. */
 static int32_t may_have_class(const cni_sparse *s, const cni_component *c)
 {
-	int32_t k, nodes = c->end - c->begin;
+	int32_t nodes = c->end - c->begin;
 	if (!c->tree || c->loops || c->width != 2 || nodes > CNI_TOPOLOGY_NODES || c->coupling_end - c->coupling_begin > CNI_TOPOLOGY_COUPLINGS * nodes)
 		return 0;
-	for (k = c->begin; k < c->end; ++k)
+	for (int32_t k = c->begin; k < c->end; ++k)
 		if (s->nodes[k].rows != 2 || s->nodes[k].owner < 0)
 			return 0;
 	return 1;
@@ -136,12 +134,11 @@ static uint8_t place_of(const cni_sparse *s, const cni_component *c, const cni_m
 static int32_t colors_take(cni_topology *kind)
 {
 	uint32_t used[CNI_TOPOLOGY_NODES + 2] = { 0 };
-	int32_t k, color;
-	for (k = 0; k < kind->nodes; ++k) {
-		uint32_t open;
+	int32_t color;
+	for (int32_t k = 0; k < kind->nodes; ++k) {
 		const uint8_t *end = kind->end[k];
 		used[kind->bodies] = 0; /* bodies that cannot move exclude no colour */
-		open = ~(used[end[0]] | used[end[1]]) & ((1u << CNI_JOINT_COLORS) - 1u);
+		uint32_t open = ~(used[end[0]] | used[end[1]]) & ((1u << CNI_JOINT_COLORS) - 1u);
 		if (open == 0)
 			return 0;
 		color = cni_bit_lowest32(open);
@@ -154,13 +151,12 @@ static int32_t colors_take(cni_topology *kind)
 
 int32_t cni_topology_describe(const cni_sparse *s, const cni_component *c, const cni_motion *motions, cni_topology *out)
 {
-	int32_t k;
 	memset(out, 0, sizeof *out);
 	if (!may_have_class(s, c))
 		return 0;
 	out->nodes = c->end - c->begin;
 	out->bodies = c->body_end - c->body_begin;
-	for (k = 0; k < out->nodes; ++k) {
+	for (int32_t k = 0; k < out->nodes; ++k) {
 		out->end[k][0] = place_of(s, c, motions, s->nodes[c->begin + k].ia);
 		out->end[k][1] = place_of(s, c, motions, s->nodes[c->begin + k].ib);
 	}
@@ -177,10 +173,9 @@ typedef struct class_table {
 /* An entry for a new class; if all are taken, it replaces a class with a single member. CNI_NONE: there is none. */
 static int32_t entry_take(class_table *n, cni_component *components)
 {
-	int32_t tries;
 	if (n->count < CNI_TOPOLOGY_CLASSES)
 		return n->count++;
-	for (tries = 0; tries < CNI_TOPOLOGY_CLASSES; ++tries) {
+	for (int32_t tries = 0; tries < CNI_TOPOLOGY_CLASSES; ++tries) {
 		int32_t k = n->next++ % CNI_TOPOLOGY_CLASSES;
 		if (n->members[k] > 1)
 			continue;
@@ -210,9 +205,8 @@ static int32_t class_of(class_table *n, const cni_topology *kind, cni_component 
 void cni_topology_classes_find(cni_sparse *s, const cni_motion *motions)
 {
 	class_table n;
-	int32_t k;
 	n.count = n.next = 0;
-	for (k = 0; k < s->component_count; ++k) {
+	for (int32_t k = 0; k < s->component_count; ++k) {
 		cni_topology kind;
 		s->components[k].kind = CNI_NONE;
 		if (cni_topology_describe(s, &s->components[k], motions, &kind))

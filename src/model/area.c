@@ -6,8 +6,7 @@
 
 cni_area *cni_area_of_shape(const cn_world *world, int32_t shape)
 {
-	int32_t k;
-	for (k = 0; k < world->areas.count; ++k)
+	for (int32_t k = 0; k < world->areas.count; ++k)
 		if (cni_areas(world)[k].shape == shape)
 			return cni_areas(world) + k;
 	return NULL;
@@ -15,8 +14,8 @@ cni_area *cni_area_of_shape(const cn_world *world, int32_t shape)
 
 void cni_area_remove(cn_world *world, int32_t shape)
 {
-	int32_t k, kept = 0;
-	for (k = 0; k < world->areas.count; ++k)
+	int32_t kept = 0;
+	for (int32_t k = 0; k < world->areas.count; ++k)
 		if (cni_areas(world)[k].shape != shape)
 			cni_areas(world)[kept++] = cni_areas(world)[k];
 	world->areas.count = kept;
@@ -41,8 +40,7 @@ int32_t cni_area_set(cn_world *world, const cni_area *area)
 
 void cni_area_wake(cn_world *world, int32_t shape)
 {
-	int32_t key;
-	for (key = cni_contact_first_of_shape(world, shape); key != CNI_NONE; key = cni_contact_next_of_shape(world, key, shape)) {
+	for (int32_t key = cni_contact_first_of_shape(world, shape); key != CNI_NONE; key = cni_contact_next_of_shape(world, key, shape)) {
 		const cni_contact *c = cni_contact_of_key(world, key);
 		if (c->flags & CNI_CONTACT_SENSING)
 			cni_body_wake(world, c->body[1 - (key & 1)]);
@@ -51,13 +49,11 @@ void cni_area_wake(cn_world *world, int32_t shape)
 
 void cni_areas_wake_moving(cn_world *world)
 {
-	int32_t k;
-	for (k = 0; k < world->areas.count; ++k) {
+	for (int32_t k = 0; k < world->areas.count; ++k) {
 		int32_t shape = cni_areas(world)[k].shape, body = cni_shape_at(world, shape)->body;
-		cn_velocity v;
 		if (body == CNI_NONE || cni_body_at(world, body)->awake == 0)
 			continue;
-		v = cni_body_velocity(world, cni_body_at(world, body));
+		cn_velocity v = cni_body_velocity(world, cni_body_at(world, body));
 		if (v.linear_mps.x != 0.0f || v.linear_mps.y != 0.0f || v.angular_radps != 0.0f)
 			cni_area_wake(world, shape);
 	}
@@ -66,8 +62,7 @@ void cni_areas_wake_moving(cn_world *world)
 void cni_area_visited(cn_world *world, int32_t contact)
 {
 	const cni_contact *c = cni_contact_at(world, contact);
-	int32_t side;
-	for (side = 0; side < 2; ++side)
+	for (int32_t side = 0; side < 2; ++side)
 		if (cni_area_of_shape(world, cni_proxy_at(world, c->proxy[side])->shape) != NULL)
 			cni_body_wake(world, c->body[1 - side]);
 }

@@ -46,10 +46,9 @@ void cni_body_store_velocity(cn_world *world, cni_body *b, cn_velocity v)
 void cni_readback_store(cn_world *world, int32_t body)
 {
 	const cni_body *b = cni_body_at(world, body);
-	cn_body_moved *shown;
 	if (!world->readback_kept)
 		return;
-	shown = cni_readback_at(world, body);
+	cn_body_moved *shown = cni_readback_at(world, body);
 	shown->pose = cni_body_pose(b);
 	shown->user_data = b->user_data;
 	shown->body = cni_handles_of(&world->body_handles, body);
@@ -100,11 +99,10 @@ cn_result cni_body_reserve(cn_world *world, int32_t extra)
 
 void cni_body_refresh_motion(cn_world *world, cni_body *b)
 {
-	cni_motion *m;
 	const uint32_t both = CN_BODY_LOCK_X | CN_BODY_LOCK_Y;
 	if (b->awake == 0)
 		return;
-	m = cni_motions(world) + b->awake;
+	cni_motion *m = cni_motions(world) + b->awake;
 	m->inv_mass = b->type == CN_BODY_DYNAMIC && (b->flags & both) != both ? 1.0f / b->mass : 0.0f;
 	m->inv_inertia = b->type == CN_BODY_DYNAMIC && b->inertia > 0.0f && !(b->flags & CN_BODY_LOCK_ROTATION) ? 1.0f / b->inertia : 0.0f;
 	if (b->flags & CN_BODY_LOCK_X)
@@ -128,11 +126,10 @@ void cni_body_enter_awake(cn_world *world, int32_t body)
 {
 	cni_body *b = cni_body_at(world, body);
 	int32_t k = world->awake_count;
-	cni_motion *m;
 	CNI_ASSERT(b->awake == 0 && b->type != CN_BODY_STATIC && (b->flags & CN_BODY_ENABLED));
 	CNI_ASSERT(k < world->motion.capacity);
 	arrays_set_count(world, k + 1);
-	m = cni_motions(world) + k;
+	cni_motion *m = cni_motions(world) + k;
 	memset(m, 0, sizeof *m);
 	memset(cni_starts(world) + k, 0, sizeof(cni_velocity_start));
 	memset(cni_externals(world) + k, 0, sizeof(cni_external));
@@ -187,23 +184,21 @@ void cni_body_refresh_boxes(cn_world *world, int32_t body)
 {
 	cni_body *b = cni_body_at(world, body);
 	cni_transform x = cni_body_transform(b);
-	int32_t index, child;
 	cni_body_forget_room(b);
-	for (index = b->shape_first; index != CNI_NONE; index = cni_shape_at(world, index)->next) {
+	for (int32_t index = b->shape_first; index != CNI_NONE; index = cni_shape_at(world, index)->next) {
 		const cni_shape *s = cni_shape_at(world, index);
-		for (child = 0; child < cni_shape_children(&world->blocks, s); ++child) {
+		for (int32_t child = 0; child < cni_shape_children(&world->blocks, s); ++child) {
 			int32_t proxy = cni_shape_proxy(world, s, child);
-			cni_aabb tight, fat;
 			if (proxy == CNI_NONE)
 				break;
-			tight = cni_geometry_aabb(cni_shape_geometry(&world->blocks, s), child, x);
+			cni_aabb tight = cni_geometry_aabb(cni_shape_geometry(&world->blocks, s), child, x);
 			if (b->type == CN_BODY_STATIC) {
 				cni_seams_change(world, &cni_proxy_at(world, proxy)->fat);
 				cni_seams_change(world, &tight);
 			}
 			if (cni_aabb_contains(&cni_proxy_at(world, proxy)->fat, &tight))
 				continue;
-			fat = cni_box_fatten(tight, cni_box_margin(world, b->type, &tight));
+			cni_aabb fat = cni_box_fatten(tight, cni_box_margin(world, b->type, &tight));
 			cni_proxy_set_fat(cni_proxy_at(world, proxy), &fat);
 			world->broadphase_ops->move(world->broadphase, proxy);
 		}
@@ -251,14 +246,13 @@ enum { BOX_STAYS = 0, BOX_AHEAD = 1, BOX_LEAVES = 2 };
 CNI_INLINE int32_t box_leaves(const cn_world *world, const cni_body *b, cni_proxy *p, const cni_transform *x, cni_vec2 ahead, float *room)
 {
 	float way_x = cni_abs(ahead.x), way_y = cni_abs(ahead.y), margin, rounding = CNI_BODY_ROUNDING * cni_max(cni_abs(b->cx) + cni_abs(b->cy) + b->extent, way_x + way_y);
-	int32_t reaches;
 	cni_aabb box;
 	cni_geometry_box(cni_proxy_geometry(&world->blocks, p), cni_proxy_child(p), x, &box);
 	*room = box_room(&p->fat, &box) - rounding;
 	if (*room > cni_max(way_x, way_y))
 		return BOX_STAYS;
 	margin = cni_box_margin(world, b->type, &box);
-	reaches = cni_max(way_x, way_y) > 0.5f * margin; /* a shorter way needs no stretched box */
+	int32_t reaches = cni_max(way_x, way_y) > 0.5f * margin; /* a shorter way needs no stretched box */
 	if (reaches)
 		box = box_stretch(box, ahead);
 	if (cni_aabb_contains(&p->fat, &box)) {
@@ -279,13 +273,13 @@ int32_t cni_body_boxes_set(const cn_world *world, cni_body *b, cni_vec2 ahead, c
 {
 	cni_transform x = cni_body_transform(b);
 	float room = FLT_MAX, one;
-	int32_t shape, child, set = CNI_BOXES_NONE, reaches = 1;
+	int32_t set = CNI_BOXES_NONE, reaches = 1;
 	const cni_shape *s;
 	if (cni_body_has_room(b, ahead))
 		return CNI_BOXES_NONE;
-	for (shape = b->shape_first; shape != CNI_NONE; shape = s->next) {
+	for (int32_t shape = b->shape_first; shape != CNI_NONE; shape = s->next) {
 		s = cni_shape_at(world, shape);
-		for (child = 0; child < cni_shape_children(&world->blocks, s); ++child) {
+		for (int32_t child = 0; child < cni_shape_children(&world->blocks, s); ++child) {
 			int32_t proxy = cni_shape_proxy(world, s, child), what = box_leaves(world, b, cni_proxy_at(world, proxy), &x, ahead, &one);
 			room = cni_min(room, one);
 			reaches &= what; /* BOX_AHEAD */
@@ -309,14 +303,13 @@ static void proxy_tell(cn_world *world, int32_t proxy)
 
 void cni_body_boxes_tell(cn_world *world, const cni_body *b, int32_t set)
 {
-	int32_t shape, child;
 	if (set != CNI_BOXES_SEVERAL) {
 		proxy_tell(world, set);
 		return;
 	}
-	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
+	for (int32_t shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
 		const cni_shape *s = cni_shape_at(world, shape);
-		for (child = 0; child < cni_shape_children(&world->blocks, s); ++child)
+		for (int32_t child = 0; child < cni_shape_children(&world->blocks, s); ++child)
 			proxy_tell(world, cni_shape_proxy(world, s, child));
 	}
 }

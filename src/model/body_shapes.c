@@ -6,7 +6,6 @@
 #include "model/world.h"
 
 #include <float.h>
-#include <string.h>
 
 #define MASSES_KEPT 4
 
@@ -38,13 +37,11 @@ static cn_mass_data shapes_mass(const cn_world *world, const cni_body *b)
 static float shape_turn_reach(const cni_body *b, const cni_geometry *g)
 {
 	cni_vec2 storage[2];
-	cni_proxy_points set;
 	float most_sq = 0.0f;
-	int32_t k;
 	if (cni_is_chain(g->type))
 		return g->extent + cni_length(b->local_center);
-	set = cni_geometry_proxy(g, 0, storage);
-	for (k = 0; k < set.count; ++k)
+	cni_proxy_points set = cni_geometry_proxy(g, 0, storage);
+	for (int32_t k = 0; k < set.count; ++k)
 		most_sq = cni_max(most_sq, cni_distance_sq(set.points[k], b->local_center));
 	return cni_sqrt(most_sq);
 }
@@ -72,10 +69,9 @@ static void shape_measure(const cn_world *world, cni_body *b, const cni_geometry
 static void measure_shapes(const cn_world *world, cni_body *b)
 {
 	float turn_reach = 0.0f;
-	int32_t index;
 	b->extent = 0.0f;
 	b->core = b->shape_first == CNI_NONE ? 0.0f : FLT_MAX;
-	for (index = b->shape_first; index != CNI_NONE; index = cni_shape_at(world, index)->next) {
+	for (int32_t index = b->shape_first; index != CNI_NONE; index = cni_shape_at(world, index)->next) {
 		const cni_geometry *g = cni_shape_geometry(&world->blocks, cni_shape_at(world, index));
 		shape_measure(world, b, g);
 		if (b->type != CN_BODY_STATIC)
@@ -133,8 +129,7 @@ static int32_t has_shapes(const cn_world *world, const cni_body *b, int32_t leas
 
 void cni_body_masses_settle(cn_world *world)
 {
-	int32_t k;
-	for (k = 0; k < world->masses_estimated; ++k) {
+	for (int32_t k = 0; k < world->masses_estimated; ++k) {
 		int32_t body = cni_handles_find(&world->body_handles, world->estimated[k]);
 		if (body != CNI_NONE)
 			cni_body_update_mass(world, body);
@@ -145,8 +140,7 @@ void cni_body_masses_settle(cn_world *world)
 static void estimated_list_add(cn_world *world, int32_t body)
 {
 	cn_body handle = cni_handles_of(&world->body_handles, body);
-	int32_t k;
-	for (k = world->masses_estimated - 1; k >= 0; --k)
+	for (int32_t k = world->masses_estimated - 1; k >= 0; --k)
 		if (world->estimated[k] == handle)
 			return;
 	if (world->masses_estimated == CNI_ESTIMATED_MOST)
@@ -174,10 +168,9 @@ static int32_t exponent_of(float x)
 static int32_t mass_subtract(cn_world *world, cni_body *b, cn_mass_data m)
 {
 	float rest = b->mass - m.mass_kg, inertia;
-	cni_vec2 center;
 	if (!(rest > 0.0f) || exponent_of(rest) != exponent_of(b->mass))
 		return 0;
-	center = cni_madd(b->local_center, -m.mass_kg / rest, cni_sub(m.center_m, b->local_center));
+	cni_vec2 center = cni_madd(b->local_center, -m.mass_kg / rest, cni_sub(m.center_m, b->local_center));
 	inertia = b->inertia - m.inertia_kgm2 - m.mass_kg * cni_distance_sq(m.center_m, b->local_center) - rest * cni_distance_sq(b->local_center, center);
 	if (!(inertia > 0.0f) || exponent_of(inertia) != exponent_of(b->inertia))
 		return 0;

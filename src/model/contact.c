@@ -75,11 +75,10 @@ int32_t cni_contact_user_allows(const void *context, int32_t proxy_a, int32_t pr
 {
 	const cn_world *world = (const cn_world *)context;
 	cn_world *locked = (cn_world *)(uintptr_t)world; /* the lock is the only field that changes during a filter */
-	int32_t allowed;
 	if (world->filter == NULL)
 		return 1;
 	++locked->locked;
-	allowed = world->filter(locked, cni_handles_of(&world->shape_handles, cni_proxy_at(world, proxy_a)->shape),
+	int32_t allowed = world->filter(locked, cni_handles_of(&world->shape_handles, cni_proxy_at(world, proxy_a)->shape),
 	                        cni_handles_of(&world->shape_handles, cni_proxy_at(world, proxy_b)->shape), world->filter_user);
 	--locked->locked;
 	return allowed != 0;
@@ -309,10 +308,9 @@ static void event_span_change(cn_world *world, int32_t contact, uint32_t mask, i
 void cni_contact_set_events(cn_world *world, int32_t contact, uint32_t mask)
 {
 	cni_contact *c = cni_contact_at(world, contact);
-	int32_t had;
 	if (c->flags & CNI_CONTACT_SENSOR)
 		return;
-	had = cni_contact_reports(c->flags);
+	int32_t had = cni_contact_reports(c->flags);
 	if (!had)
 		mask = flags_with_room(world, mask << CNI_CONTACT_EVENTS_SHIFT) >> CNI_CONTACT_EVENTS_SHIFT;
 	if (c->flags & CNI_CONTACT_TOUCHING)
@@ -328,13 +326,12 @@ void cni_contact_set_events(cn_world *world, int32_t contact, uint32_t mask)
 /* Links the islands of two dynamic bodies that begin to touch, and wakes a sleeping side. */
 static void contact_join_islands(cn_world *world, cni_contact *c)
 {
-	int32_t side;
 	if (cni_body_at(world, c->body[0])->type == CN_BODY_DYNAMIC && cni_body_at(world, c->body[1])->type == CN_BODY_DYNAMIC) {
 		cni_island_link(world, c->body[0], c->body[1]);
 		c->flags |= CNI_CONTACT_LINKED;
 		return;
 	}
-	for (side = 0; side < 2; ++side)
+	for (int32_t side = 0; side < 2; ++side)
 		if (cni_body_at(world, c->body[side])->type == CN_BODY_DYNAMIC && cni_body_at(world, c->body[side])->awake == 0)
 			cni_body_wake(world, c->body[side]);
 }
@@ -355,8 +352,7 @@ static float approach_now(const cn_world *world, const cni_contact *c, const cni
 /* May it have rolling resistance, or a conveyor? */
 static int32_t may_need_extra(const cn_world *world, const cni_contact *c)
 {
-	int32_t side;
-	for (side = 0; side < 2; ++side) {
+	for (int32_t side = 0; side < 2; ++side) {
 		const cni_shape *s = cni_shape_at(world, cni_proxy_at(world, c->proxy[side])->shape);
 		if (s->rolling_resistance > 0.0f || s->tangent_speed != 0.0f)
 			return 1;
@@ -367,11 +363,10 @@ static int32_t may_need_extra(const cn_world *world, const cni_contact *c)
 int32_t cni_contact_begin(cn_world *world, int32_t contact, const cni_touch_result *touch)
 {
 	cni_contact *c = cni_contact_at(world, contact);
-	float approach;
 	if (!cni_lane_reserve(world, world->touching_count + 1) || !cni_island_reserve(world, 1) || (may_need_extra(world, c) && !cni_lane_reserve_extra(world)))
 		return 0;
 	++world->touching_count;
-	approach = approach_now(world, c, &touch->manifold);
+	float approach = approach_now(world, c, &touch->manifold);
 	contact_join_islands(world, c);
 	cni_contact_leave_apart_list(world, contact);
 	cni_lane_take(world, contact);
@@ -410,10 +405,10 @@ int32_t cni_contact_end(cn_world *world, int32_t contact)
 static int32_t is_sensed_by_another(const cn_world *world, int32_t contact)
 {
 	const cni_contact *c = cni_contact_at(world, contact);
-	int32_t a = cni_proxy_at(world, c->proxy[0])->shape, b = cni_proxy_at(world, c->proxy[1])->shape, key;
+	int32_t a = cni_proxy_at(world, c->proxy[0])->shape, b = cni_proxy_at(world, c->proxy[1])->shape;
 	if (cni_shape_children(&world->blocks, cni_shape_at(world, a)) == 1 && cni_shape_children(&world->blocks, cni_shape_at(world, b)) == 1)
 		return 0;
-	for (key = cni_contact_first_of_shape(world, a); key != CNI_NONE; key = cni_contact_next_of_shape(world, key, a)) {
+	for (int32_t key = cni_contact_first_of_shape(world, a); key != CNI_NONE; key = cni_contact_next_of_shape(world, key, a)) {
 		const cni_contact *other = cni_contact_of_key(world, key);
 		if (key >> 1 != contact && (other->flags & CNI_CONTACT_SENSING) &&
 		    (cni_proxy_at(world, other->proxy[0])->shape == b || cni_proxy_at(world, other->proxy[1])->shape == b))

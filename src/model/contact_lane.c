@@ -51,13 +51,12 @@ static void lane_write_material(cn_world *world, const cni_contact *c, cni_conta
 {
 	cn_material m = cni_material_mix(world, cni_proxy_at(world, c->proxy[0])->shape, cni_proxy_at(world, c->proxy[1])->shape);
 	cni_block_info *info = cni_block_info_at(world, c->slot / CNI_LANES);
-	cni_block_extra *extra;
 	block->static_friction[lane] = m.static_friction;
 	block->dynamic_friction[lane] = m.dynamic_friction;
 	restitution_write(info, lane, m.restitution);
 	if ((m.rolling_resistance > 0.0f || m.tangent_speed_mps != 0.0f) && !cni_lane_reserve_extra(world))
 		world->warnings |= CN_WARNING_FRAME_MEMORY; /* first conveyor of a resting contact: it has none */
-	extra = cni_block_extra_at(world, c->slot / CNI_LANES);
+	cni_block_extra *extra = cni_block_extra_at(world, c->slot / CNI_LANES);
 	if (extra == NULL)
 		return;
 	extra->tangent_speed[lane] = m.tangent_speed_mps;
@@ -151,13 +150,12 @@ static void lane_write_rare(cn_world *world, cni_contact *c, const lane_frame *f
 static int32_t may_be_reused(const cn_world *world, const cni_contact *c, const cni_block_info *info, const lane_frame *f)
 {
 	const uint32_t visited = CNI_CONTACT_ENTERED | CNI_CONTACT_ENTER_OWED | CNI_CONTACT_CREATED_OWED | CNI_CONTACT_ONE_WAY | CNI_CONTACT_PRE_SOLVE;
-	const cni_block_extra *extra;
 	int32_t l = c->slot % CNI_LANES;
 	if ((c->flags & visited) || f->locks)
 		return 0;
 	if (!(info->flags & CNI_BLOCK_EXTRA))
 		return 1;
-	extra = cni_block_extra_at(world, c->slot / CNI_LANES);
+	const cni_block_extra *extra = cni_block_extra_at(world, c->slot / CNI_LANES);
 	return extra->rolling[l] == 0.0f && extra->tangent_speed[l] == 0.0f;
 }
 
@@ -202,8 +200,6 @@ CNI_INLINE void anchor_write(cn_world *world, const cni_contact *c, const cni_co
 {
 	uint32_t slot = (uint32_t)c->slot, l = slot % CNI_LANES, of_b;
 	cni_block_anchor *anchor = cni_block_anchor_at(world, (int32_t)(slot / CNI_LANES));
-	cni_rot turn;
-	float centers;
 	if (gap != 0.0f || !may_be_reused(world, c, info, f)) {
 		cni_lane_invalidate(world, c->slot);
 		anchor->of.fresh.gap[l] = gap;
@@ -214,8 +210,8 @@ CNI_INLINE void anchor_write(cn_world *world, const cni_contact *c, const cni_co
 	anchor_write_kind(world, c, block->ib[l], info, l, points);
 	of_b = info->of_b >> l & 1u;
 	normal_keep(info, anchor, l, of_b, of_b ? f->b->q : f->a->q, f->n);
-	turn = cni_rot_between(f->a->q, f->b->q);
-	centers = cni_dot(f->d, f->n);
+	cni_rot turn = cni_rot_between(f->a->q, f->b->q);
+	float centers = cni_dot(f->d, f->n);
 	info->anchored = (uint16_t)(info->anchored | 1u << l);
 	if (block->ib[l] == 0)
 		anchor->x.body[l] = c->body[1 - ((c->flags & CNI_CONTACT_FLIPPED) != 0)];
@@ -249,7 +245,7 @@ void cni_contact_write(cn_world *world, cni_contact *c, const cni_body *a, const
 	uint32_t slot = (uint32_t)c->slot, lane = slot % CNI_LANES;
 	cni_contact_block *block = cni_block_at(world, (int32_t)(slot / CNI_LANES));
 	cni_block_info *info = cni_block_info_at(world, (int32_t)(slot / CNI_LANES));
-	int32_t flipped = (c->flags & CNI_CONTACT_FLIPPED) != 0, kept = 0, k;
+	int32_t flipped = (c->flags & CNI_CONTACT_FLIPPED) != 0, kept = 0;
 	cni_vec2 normal = cni_rotate(a->q, manifold->normal), gap = cni_rotate(a->q, touch->gap);
 	lane_frame f = frame_make(a, b, flipped, normal);
 	lane_mass m = lane_mass_of(world, &f);
@@ -265,17 +261,16 @@ void cni_contact_write(cn_world *world, cni_contact *c, const cni_body *a, const
 	}
 	block->dn[lane] = dn - radius_a - touch->radius[1 - flipped];
 	block->dt[lane] = dt;
-	for (k = 0; k < manifold->count; ++k) {
+	for (int32_t k = 0; k < manifold->count; ++k) {
 		const cni_manifold_point *point = &manifold->points[k];
 		cni_contact_row *p = &block->p[k];
 		cni_vec2 r = cni_rotate(a->q, cni_sub(point->point, a->local_center));
 		old_point was = point->id == first.id ? first : point->id == second.id ? second : none;
-		float at, bt, an;
 		if (flipped)
 			r = cni_add(r, f.d); /* from lane a's centre, not lane b's */
-		at = cni_dot(r, f.t);
-		bt = at - dt;
-		an = cni_dot(r, f.n) - radius_a;
+		float at = cni_dot(r, f.t);
+		float bt = at - dt;
+		float an = cni_dot(r, f.n) - radius_a;
 		p->at[lane] = at;
 		p->an[lane] = an;
 		p->s0[lane] = point->separation;
@@ -332,8 +327,7 @@ static cni_vec2 lane_normal(const cn_world *world, const cni_contact *c)
 static void extra_to_sleep(const cn_world *world, const cni_contact *c, cni_sleep_lane *s)
 {
 	const float *rows = (const float *)(const void *)cni_block_extra_at(world, c->slot / CNI_LANES);
-	int32_t row;
-	for (row = 0; row < CNI_SLEEP_EXTRA_ROWS; ++row)
+	for (int32_t row = 0; row < CNI_SLEEP_EXTRA_ROWS; ++row)
 		s->extra[row] = rows != NULL ? rows[row * CNI_LANES + c->slot % CNI_LANES] : 0.0f;
 	if (!cni_sleep_lane_needs_extra(s))
 		memset(s->extra, 0, sizeof s->extra);
@@ -343,10 +337,10 @@ static void extra_to_sleep(const cn_world *world, const cni_contact *c, cni_slee
 static void lane_read(const cn_world *world, int32_t contact, cni_sleep_lane *s)
 {
 	const cni_contact *c = cni_contact_at(world, contact);
-	int32_t block = c->slot / CNI_LANES, l = c->slot % CNI_LANES, row;
+	int32_t block = c->slot / CNI_LANES, l = c->slot % CNI_LANES;
 	const float *rows = (const float *)(const void *)cni_block_at(world, block) + l;
 	cni_vec2 n = lane_normal(world, c);
-	for (row = 0; row < CNI_SLEEP_ROWS; ++row)
+	for (int32_t row = 0; row < CNI_SLEEP_ROWS; ++row)
 		s->rows[row] = rows[(row + 2) * CNI_LANES];
 	s->rows[ROW_NX] = n.x;
 	s->rows[ROW_NY] = n.y;
@@ -373,19 +367,18 @@ static void describe_manifold(const cn_world *world, int32_t contact, cn_manifol
 	const cni_contact_block *block = cni_contact_has_lane(c) ? cni_block_at(world, c->slot / CNI_LANES) : NULL;
 	cni_sleep_lane copy;
 	const float *rows = rows_of(world, contact, &copy);
-	int32_t flipped = (c->flags & CNI_CONTACT_FLIPPED) != 0, k;
-	lane_frame f;
+	int32_t flipped = (c->flags & CNI_CONTACT_FLIPPED) != 0;
 	float radius = lane_radius(world, c), gap = cni_contact_gap(world, c), moved_n, moved_t;
 	cni_vec2 n = cni_v(rows[ROW_NX], rows[ROW_NY]), push = n, t = cni_right_perp(n), middle;
 	if (block != NULL)
 		push = cni_v(block->nx[c->slot % CNI_LANES], block->ny[c->slot % CNI_LANES]);
-	f = frame_make(cni_body_at(world, c->body[0]), cni_body_at(world, c->body[1]), flipped, flipped ? cni_neg(n) : n);
+	lane_frame f = frame_make(cni_body_at(world, c->body[0]), cni_body_at(world, c->body[1]), flipped, flipped ? cni_neg(n) : n);
 	moved_n = cni_dot(f.d, n) - (rows[ROW_FA] - rows[ROW_FB]);
 	moved_t = cni_dot(f.d, t) - rows[ROW_DT];
 	middle = cni_madd(cni_madd(cni_v(f.a->cx, f.a->cy), 0.5f * moved_n, n), 0.5f * moved_t, t);
 	out->normal = flipped ? cni_neg(push) : push;
 	out->friction_impulse_Ns = rows[ROW_JT]; /* n, t and the bodies all flip: the sign stays */
-	for (k = 0; k < 2; ++k) {
+	for (int32_t k = 0; k < 2; ++k) {
 		const float *p = rows + ROW_POINT + k * ROW_POINT_COUNT; /* at an s0 nm jn load */
 		cn_manifold_point *point = &out->points[out->point_count];
 		cni_vec2 r = cni_add(cni_mul(p[0], t), cni_mul(p[1] + radius, n));
@@ -442,10 +435,9 @@ void cni_contact_sleep_lane_free(cn_world *world, cni_contact *c)
 static void sleep_to_extra(const cn_world *world, const cni_contact *c, const cni_sleep_lane *s)
 {
 	float *rows = (float *)(void *)cni_block_extra_at(world, c->slot / CNI_LANES);
-	int32_t row;
 	if (rows == NULL)
 		return;
-	for (row = 0; row < CNI_SLEEP_EXTRA_ROWS; ++row)
+	for (int32_t row = 0; row < CNI_SLEEP_EXTRA_ROWS; ++row)
 		rows[row * CNI_LANES + c->slot % CNI_LANES] = s->extra[row];
 	if (cni_sleep_lane_needs_extra(s))
 		cni_block_info_at(world, c->slot / CNI_LANES)->flags |= CNI_BLOCK_EXTRA;
@@ -453,9 +445,9 @@ static void sleep_to_extra(const cn_world *world, const cni_contact *c, const cn
 
 static void lane_write(const cn_world *world, const cni_contact *c, const cni_sleep_lane *s)
 {
-	int32_t block = c->slot / CNI_LANES, l = c->slot % CNI_LANES, row;
+	int32_t block = c->slot / CNI_LANES, l = c->slot % CNI_LANES;
 	float *rows = (float *)(void *)cni_block_at(world, block) + l;
-	for (row = 0; row < CNI_SLEEP_ROWS; ++row)
+	for (int32_t row = 0; row < CNI_SLEEP_ROWS; ++row)
 		rows[(row + 2) * CNI_LANES] = s->rows[row];
 	restitution_write(cni_block_info_at(world, block), l, s->restitution);
 	sleep_to_extra(world, c, s);
@@ -467,9 +459,8 @@ void cni_contact_lane_to_sleep(cn_world *world, int32_t contact)
 	cni_contact_block *block = cni_block_at(world, c->slot / CNI_LANES);
 	cni_sleep_lane own, *s = CNI_SLEEP_IN_BLOCKS ? &own : (cni_sleep_lane *)world->sleep_lanes.data + world->sleep_lanes.count;
 	float gap = cni_contact_gap(world, c);
-	int32_t k;
 	CNI_ASSERT(CNI_SLEEP_IN_BLOCKS || world->sleep_lanes.count < world->sleep_lanes.capacity);
-	for (k = 0; k < 2; ++k)
+	for (int32_t k = 0; k < 2; ++k)
 		block->p[k].s0[c->slot % CNI_LANES] -= gap;
 	lane_read(world, contact, s);
 	cni_lane_free(world, contact);

@@ -16,10 +16,9 @@ void cni_contact_leave_apart_list(cn_world *world, int32_t contact)
 {
 	cni_contact *c = cni_contact_at(world, contact);
 	int32_t *list = (int32_t *)world->apart.data;
-	int32_t last;
 	if ((c->flags & CNI_CONTACT_TOUCHING) || c->slot == CNI_NONE)
 		return;
-	last = list[--world->apart.count];
+	int32_t last = list[--world->apart.count];
 	list[c->slot] = last;
 	cni_contact_at(world, last)->slot = c->slot;
 	c->slot = CNI_NONE;
@@ -91,8 +90,7 @@ void cni_contact_invalidate(cn_world *world, int32_t contact)
 
 void cni_contacts_invalidate_body(cn_world *world, const cni_body *b)
 {
-	int32_t key;
-	for (key = b->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1])
+	for (int32_t key = b->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1])
 		cni_contact_invalidate(world, key >> 1);
 }
 

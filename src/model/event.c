@@ -15,16 +15,14 @@ static void pending_to_log(cni_array *log, cni_array *pending)
 
 void cni_events_forget_built(cni_events *events)
 {
-	int32_t kind;
-	for (kind = 0; kind < CN_EVENT_KINDS; ++kind)
+	for (int32_t kind = 0; kind < CN_EVENT_KINDS; ++kind)
 		events->built[kind] = events->seen[kind].count = 0;
 	events->moved_built = events->moved.count = 0;
 }
 
 void cni_events_begin_step(cni_events *events)
 {
-	int32_t kind;
-	for (kind = 0; kind < CN_EVENT_KINDS; ++kind)
+	for (int32_t kind = 0; kind < CN_EVENT_KINDS; ++kind)
 		if (kind == CN_EVENT_LEAVE || kind == CN_EVENT_DESTROYED) /* contacts may end between steps too, but begin in steps only */
 			pending_to_log(&events->log[kind], &events->pending[kind]);
 		else
@@ -90,10 +88,9 @@ static void enter_impulses_read(const cn_world *world, const cni_contact *c, cn_
 int32_t cni_event_log(cn_world *world, int32_t contact, int32_t kind)
 {
 	const cni_contact *c = cni_contact_at(world, contact);
-	cni_event *e;
 	if (!cni_contact_reports_kind(c, kind))
 		return 1;
-	e = (cni_event *)cni_event_add(world, world->events.in_step ? &world->events.log[kind] : &world->events.pending[kind]);
+	cni_event *e = (cni_event *)cni_event_add(world, world->events.in_step ? &world->events.log[kind] : &world->events.pending[kind]);
 	if (e == NULL)
 		return 0;
 	event_write(world, contact, e);
@@ -110,10 +107,9 @@ static int32_t contact_stays(const cni_contact *c)
 
 void cni_event_log_stay(cn_world *world, int32_t contact, const cni_event_sums *sums)
 {
-	cni_event_stay *e;
 	if (!contact_stays(cni_contact_at(world, contact)))
 		return;
-	e = (cni_event_stay *)cni_event_add(world, &world->events.log[CN_EVENT_STAY]);
+	cni_event_stay *e = (cni_event_stay *)cni_event_add(world, &world->events.log[CN_EVENT_STAY]);
 	if (e == NULL)
 		return;
 	e->contact = contact;
@@ -131,10 +127,9 @@ static cn_vec2 hit_point(const cni_contact *c, const cn_manifold *m, int32_t poi
 void cni_event_log_hit(cn_world *world, int32_t contact, const cni_event_sums *sums)
 {
 	const cni_contact *c = cni_contact_at(world, contact);
-	cn_contact_event *e;
 	if ((c->flags & CNI_CONTACT_ENTER_OWED) || !cni_contact_reports_kind(c, CN_EVENT_HIT))
 		return;
-	e = (cn_contact_event *)cni_event_add(world, &world->events.log[CN_EVENT_HIT]);
+	cn_contact_event *e = (cn_contact_event *)cni_event_add(world, &world->events.log[CN_EVENT_HIT]);
 	if (e == NULL)
 		return;
 	cni_contact_describe(world, contact, CN_EVENT_HIT, e);
@@ -149,11 +144,10 @@ int32_t cni_sensor_event_log(cn_world *world, int32_t contact, int32_t kind)
 	const cni_contact *c = cni_contact_at(world, contact);
 	cni_array *log = world->events.in_step ? &world->events.sensor_log : &world->events.sensor_pending;
 	int32_t shapes[2], side;
-	cn_sensor_event *e;
 	shapes[0] = cni_proxy_at(world, c->proxy[0])->shape;
 	shapes[1] = cni_proxy_at(world, c->proxy[1])->shape;
 	side = cni_shape_at(world, shapes[0])->flags & CN_SHAPE_SENSOR ? 0 : 1;
-	e = (cn_sensor_event *)cni_event_add(world, log);
+	cn_sensor_event *e = (cn_sensor_event *)cni_event_add(world, log);
 	if (e == NULL)
 		return 0;
 	e->sensor = cni_handles_of(&world->shape_handles, shapes[side]);
@@ -195,8 +189,7 @@ static void event_expand(const cn_world *world, const cni_event *e, int32_t kind
 /* A pair that stayed and then fell asleep, or ended, is left out. */
 static void build_stay(const cn_world *world, const cni_array *log, cni_array *seen)
 {
-	int32_t k;
-	for (k = 0; k < log->count; ++k) {
+	for (int32_t k = 0; k < log->count; ++k) {
 		const cni_event_stay *e = (const cni_event_stay *)log->data + k;
 		cn_contact_event *out = (cn_contact_event *)seen->data + seen->count;
 		if (!contact_stays(cni_contact_at(world, e->contact)))

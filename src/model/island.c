@@ -11,13 +11,12 @@
 static int32_t island_take(cn_world *world)
 {
 	int32_t island = world->island_free;
-	cni_island *i;
 	if (island != CNI_NONE)
 		world->island_free = cni_island_at(world, island)->next_free;
 	else
 		island = world->island_used++;
 	CNI_ASSERT(island < cni_table_capacity(&world->islands));
-	i = cni_island_at(world, island);
+	cni_island *i = cni_island_at(world, island);
 	memset(i, 0, sizeof *i);
 	i->first = i->last = i->next_free = CNI_NONE;
 	++world->island_count;
@@ -106,8 +105,7 @@ static void tier_inherit(const cn_world *world, cni_island *to, const cni_island
 static void island_merge(cn_world *world, int32_t into, int32_t from)
 {
 	cni_island *target = cni_island_at(world, into), *source = cni_island_at(world, from);
-	int32_t body;
-	for (body = source->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
+	for (int32_t body = source->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
 		cni_body_at(world, body)->island = into;
 	cni_body_at(world, target->last)->island_next = source->first;
 	cni_body_at(world, source->first)->island_prev = target->last;
@@ -151,10 +149,9 @@ void cni_island_remove_body(cn_world *world, int32_t body)
 {
 	cni_body *b = cni_body_at(world, body);
 	int32_t island = b->island;
-	cni_island *i;
 	if (island == CNI_NONE)
 		return;
-	i = cni_island_at(world, island);
+	cni_island *i = cni_island_at(world, island);
 	if (b->island_prev != CNI_NONE)
 		cni_body_at(world, b->island_prev)->island_next = b->island_next;
 	else
@@ -175,8 +172,7 @@ void cni_island_remove_body(cn_world *world, int32_t body)
 static int32_t push_neighbours(const cn_world *world, int32_t body, int32_t *stack, int32_t top)
 {
 	const cni_body *b = cni_body_at(world, body);
-	int32_t key;
-	for (key = b->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
+	for (int32_t key = b->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
 		const cni_contact *c = cni_contact_of_key(world, key);
 		int32_t other = c->body[1 - (key & 1)];
 		if ((c->flags & CNI_CONTACT_LINKED) && cni_body_at(world, other)->island == CNI_NONE) {
@@ -184,7 +180,7 @@ static int32_t push_neighbours(const cn_world *world, int32_t body, int32_t *sta
 			stack[top++] = other;
 		}
 	}
-	for (key = b->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1]) {
+	for (int32_t key = b->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1]) {
 		const cni_joint *j = cni_joint_at(world, key >> 1);
 		int32_t other = j->body[1 - (key & 1)];
 		if (j->linked && cni_body_at(world, other)->island == CNI_NONE) {
@@ -215,15 +211,14 @@ static void part_collect(cn_world *world, int32_t seed, const cni_island *whole,
 int32_t cni_island_split(cn_world *world, int32_t island)
 {
 	const cni_island *i = cni_island_at(world, island), whole = *i;
-	int32_t count = i->count, body, k = 0;
-	int32_t *bodies, *stack;
+	int32_t count = i->count, k = 0;
 	if (!cni_island_reserve(world, count / 2 + 1))
 		return 0;
-	bodies = (int32_t *)cni_arena_push(&world->arena, (uint64_t)count * 2 * sizeof(int32_t));
+	int32_t *bodies = (int32_t *)cni_arena_push(&world->arena, (uint64_t)count * 2 * sizeof(int32_t));
 	if (bodies == NULL)
 		return 0;
-	stack = bodies + count;
-	for (body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
+	int32_t *stack = bodies + count;
+	for (int32_t body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
 		bodies[k++] = body;
 	island_release(world, island);
 	for (k = 0; k < count; ++k)

@@ -23,8 +23,7 @@ static int32_t is_held_back(const cni_body *b) { return b->type == CN_BODY_DYNAM
 static void wake_links_of(cn_world *world, int32_t body)
 {
 	const cni_body *b = cni_body_at(world, body);
-	int32_t key;
-	for (key = b->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
+	for (int32_t key = b->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
 		const cni_contact *c = cni_contact_of_key(world, key);
 		cni_body *one = cni_body_at(world, c->body[0]), *other = cni_body_at(world, c->body[1]);
 		cni_contact_mark_static(one, other);
@@ -32,13 +31,13 @@ static void wake_links_of(cn_world *world, int32_t body)
 		if ((c->flags & CNI_CONTACT_ASLEEP) && !is_held_back(one) && !is_held_back(other))
 			cni_contact_sleep_to_lane(world, key >> 1);
 	}
-	for (key = b->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1])
+	for (int32_t key = b->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1])
 		cni_joint_enter_awake_list(world, key >> 1);
 }
 
 static void wake_island(cn_world *world, int32_t body)
 {
-	int32_t k, first = first_of(world, body);
+	int32_t first = first_of(world, body);
 	/* A body that left its fat box in the step that put it to sleep may still have contacts with boxes that are apart. */
 	world->pairs_may_repeat |= CNI_PAIRS_MARKED;
 	if (cni_body_at(world, body)->island != CNI_NONE) {
@@ -46,12 +45,12 @@ static void wake_island(cn_world *world, int32_t body)
 		i->awake = 1;
 		i->solver = i->joints_solver = CN_SOLVER_AUTO;
 	}
-	for (k = first; k != CNI_NONE; k = cni_body_at(world, k)->island_next) {
+	for (int32_t k = first; k != CNI_NONE; k = cni_body_at(world, k)->island_next) {
 		cni_body_restless(cni_body_at(world, k));
 		cni_body_at(world, k)->flags |= CNI_BODY_AGAIN;
 		cni_body_enter_awake(world, k);
 	}
-	for (k = first; k != CNI_NONE; k = cni_body_at(world, k)->island_next)
+	for (int32_t k = first; k != CNI_NONE; k = cni_body_at(world, k)->island_next)
 		wake_links_of(world, k);
 }
 
@@ -123,14 +122,13 @@ static float wake_if_collides(void *context, int32_t proxy, float limit)
 static void wake_in_box(cn_world *world, int32_t shape, const cni_aabb *box)
 {
 	wake_query m;
-	int32_t k;
 	m.world = world;
 	m.shape = cni_shape_at(world, shape);
 	m.first = 0;
 	do {
 		m.count = m.total = 0;
 		world->broadphase_ops->query(world->broadphase, box, wake_if_collides, &m);
-		for (k = 0; k < m.count; ++k)
+		for (int32_t k = 0; k < m.count; ++k)
 			cni_body_wake(world, m.bodies[k]);
 		m.first = m.count > 0 ? m.bodies[m.count - 1] + 1 : 0;
 	} while (m.count == WAKES_AT_ONCE && m.total > m.count);
@@ -139,16 +137,14 @@ static void wake_in_box(cn_world *world, int32_t shape, const cni_aabb *box)
 void cni_shape_wake_met(cn_world *world, int32_t shape)
 {
 	const cni_shape *s = cni_shape_at(world, shape);
-	int32_t child;
 	if (world->awake_count - 1 == world->movable_count) /* nobody sleeps */
 		return;
 	world->broadphase_ops->settle(world->broadphase); /* otherwise each of many searches would test each of many moved boxes */
-	for (child = 0; child < cni_shape_children(&world->blocks, s); ++child) {
+	for (int32_t child = 0; child < cni_shape_children(&world->blocks, s); ++child) {
 		int32_t proxy = cni_shape_proxy(world, s, child);
-		cni_aabb box;
 		if (proxy == CNI_NONE)
 			return;
-		box = cni_proxy_at(world, proxy)->fat;
+		cni_aabb box = cni_proxy_at(world, proxy)->fat;
 		wake_in_box(world, shape, &box);
 	}
 }
@@ -156,12 +152,11 @@ void cni_shape_wake_met(cn_world *world, int32_t shape)
 void cni_body_wake_met(cn_world *world, int32_t body)
 {
 	const cni_body *b = cni_body_at(world, body);
-	int32_t shape;
 	cni_body_wake(world, body);
 	if (b->type != CN_BODY_STATIC)
 		return;
 	world->broadphase_ops->settle(world->broadphase);
-	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next)
+	for (int32_t shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next)
 		cni_shape_wake_met(world, shape);
 }
 
@@ -187,9 +182,9 @@ static int32_t lane_is_counted(const cni_contact *c, int32_t key)
 
 static int32_t lanes_of_island(const cn_world *world, int32_t first)
 {
-	int32_t lanes = 0, k, key;
-	for (k = first; k != CNI_NONE; k = cni_body_at(world, k)->island_next)
-		for (key = cni_body_at(world, k)->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1])
+	int32_t lanes = 0;
+	for (int32_t k = first; k != CNI_NONE; k = cni_body_at(world, k)->island_next)
+		for (int32_t key = cni_body_at(world, k)->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1])
 			lanes += lane_is_counted(cni_contact_of_key(world, key), key);
 	return lanes;
 }
@@ -209,11 +204,10 @@ static void sleep_lanes_of(cn_world *world, int32_t body)
 static void leave_lists_of(cn_world *world, int32_t body)
 {
 	const cni_body *b = cni_body_at(world, body);
-	int32_t key;
-	for (key = b->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1])
+	for (int32_t key = b->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1])
 		if (cni_body_at(world, cni_contact_of_key(world, key)->body[1 - (key & 1)])->awake == 0)
 			cni_contact_leave_apart_list(world, key >> 1);
-	for (key = b->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1]) {
+	for (int32_t key = b->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1]) {
 		int32_t other = cni_joint_at(world, key >> 1)->body[1 - (key & 1)];
 		if (other == CNI_NONE || cni_body_at(world, other)->awake == 0)
 			cni_joint_leave_awake_list(world, key >> 1);
@@ -230,21 +224,21 @@ int32_t cni_body_reserve_sleep(cn_world *world, int32_t body)
 
 int32_t cni_body_put_to_sleep(cn_world *world, int32_t body)
 {
-	int32_t first = first_of(world, body), island = cni_body_at(world, body)->island, k;
+	int32_t first = first_of(world, body), island = cni_body_at(world, body)->island;
 	cni_array *log = &world->events.asleep;
 	if (!cni_body_reserve_sleep(world, body))
 		return 0;
 	if (island != CNI_NONE)
 		cni_island_at(world, island)->awake = 0;
-	for (k = first; k != CNI_NONE; k = cni_body_at(world, k)->island_next)
+	for (int32_t k = first; k != CNI_NONE; k = cni_body_at(world, k)->island_next)
 		sleep_lanes_of(world, k);
-	for (k = first; k != CNI_NONE; k = cni_body_at(world, k)->island_next) {
+	for (int32_t k = first; k != CNI_NONE; k = cni_body_at(world, k)->island_next) {
 		cni_body *b = cni_body_at(world, k);
 		cni_body_leave_awake(world, k);
 		b->vx = b->vy = b->w = 0.0f;
 		((cn_body *)log->data)[log->count++] = cni_handles_of(&world->body_handles, k);
 	}
-	for (k = first; k != CNI_NONE; k = cni_body_at(world, k)->island_next)
+	for (int32_t k = first; k != CNI_NONE; k = cni_body_at(world, k)->island_next)
 		leave_lists_of(world, k);
 	return 1;
 }

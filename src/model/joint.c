@@ -28,8 +28,7 @@ float cni_joint_impulse_sum(const cn_world *world, const cni_joint *j, int32_t c
 {
 	uint32_t of_angles = slots_of_angles(j->type);
 	float sum = 0.0f;
-	int32_t k;
-	for (k = 0; k < count; ++k)
+	for (int32_t k = 0; k < count; ++k)
 		sum += cni_abs(j->impulse[k]) / (of_angles >> k & 1u ? world->settings.length_unit : 1.0f);
 	return sum;
 }
@@ -39,12 +38,11 @@ float cni_joint_impulse_sum(const cn_world *world, const cni_joint *j, int32_t c
 static void list_link(cn_world *world, int32_t joint, int32_t side)
 {
 	cni_joint *j = cni_joint_at(world, joint);
-	cni_body *b;
 	int32_t key = joint << 1 | side;
 	j->prev[side] = j->next[side] = CNI_NONE;
 	if (j->body[side] == CNI_NONE)
 		return;
-	b = cni_body_at(world, j->body[side]);
+	cni_body *b = cni_body_at(world, j->body[side]);
 	j->next[side] = b->joint_first;
 	if (b->joint_first != CNI_NONE)
 		cni_joint_at(world, b->joint_first >> 1)->prev[b->joint_first & 1] = key;
@@ -72,8 +70,7 @@ static int32_t side_is_awake(const cn_world *world, const cni_joint *j, int32_t 
 
 void cni_joint_wake_bodies(cn_world *world, const cni_joint *j)
 {
-	int32_t side;
-	for (side = 0; side < 2; ++side)
+	for (int32_t side = 0; side < 2; ++side)
 		if (j->body[side] != CNI_NONE)
 			cni_body_wake(world, j->body[side]);
 }
@@ -123,7 +120,6 @@ void cni_joint_link(cn_world *world, int32_t joint)
 void cni_joint_unlink(cn_world *world, int32_t joint)
 {
 	cni_joint *j = cni_joint_at(world, joint);
-	int32_t shape;
 	cni_joint_wake_bodies(world, j);
 	cni_joint_leave_awake_list(world, joint);
 	list_unlink(world, joint, 0);
@@ -132,7 +128,7 @@ void cni_joint_unlink(cn_world *world, int32_t joint)
 		cni_island_unlink(world, j->body[0]);
 	j->linked = 0;
 	if (!(j->flags & CN_JOINT_COLLIDE) && j->body[0] != CNI_NONE && j->body[1] != CNI_NONE)
-		for (shape = first_shape_of_lesser(world, j); shape != CNI_NONE; shape = cni_shape_at(world, shape)->next)
+		for (int32_t shape = first_shape_of_lesser(world, j); shape != CNI_NONE; shape = cni_shape_at(world, shape)->next)
 			cni_shape_refilter(world, shape);
 }
 
@@ -159,14 +155,14 @@ int32_t cni_joint_reserve_events(cn_world *world, int32_t count)
 void cni_joint_event_log(cn_world *world, int32_t joint, float force, float torque, uint32_t destroyed)
 {
 	const cni_joint *j = cni_joint_at(world, joint);
-	int32_t constraint = cni_joint_is_constraint(j->type), side;
+	int32_t constraint = cni_joint_is_constraint(j->type);
 	cn_joint_event *e = (cn_joint_event *)cni_event_add(world, event_log(world));
 	if (e == NULL)
 		return;
 	memset(e, 0, sizeof *e);
 	e->joint = constraint ? 0 : cni_joint_handle(world, joint);
 	e->constraint = constraint ? cni_joint_handle(world, joint) : 0;
-	for (side = 0; side < 2; ++side)
+	for (int32_t side = 0; side < 2; ++side)
 		*(side == 0 ? &e->body_a : &e->body_b) = j->body[side] == CNI_NONE ? 0 : cni_handles_of(&world->body_handles, j->body[side]);
 	e->destroyed = destroyed;
 	e->force_N = force;

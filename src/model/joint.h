@@ -50,10 +50,9 @@ typedef struct cni_joint {
 static inline void cni_joint_keep_finite(cni_joint *j)
 {
 	float zero = 0.0f;
-	int32_t k;
-	for (k = 0; k < CNI_JOINT_ROWS; ++k)
+	for (int32_t k = 0; k < CNI_JOINT_ROWS; ++k)
 		zero += 0.0f * j->impulse[k];
-	for (k = 0; k < CNI_JOINT_ROWS && zero != 0.0f; ++k)
+	for (int32_t k = 0; k < CNI_JOINT_ROWS && zero != 0.0f; ++k)
 		j->impulse[k] = 0.0f;
 }
 

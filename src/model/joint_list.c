@@ -59,10 +59,9 @@ void cni_joint_leave_awake_list(cn_world *world, int32_t joint)
 {
 	cni_joint *j = cni_joint_at(world, joint);
 	int32_t *list = (int32_t *)world->awake_joints.data;
-	int32_t last;
 	if (j->awake == CNI_NONE)
 		return;
-	last = list[--world->awake_joints.count];
+	int32_t last = list[--world->awake_joints.count];
 	list[j->awake] = last;
 	cni_joint_at(world, last)->awake = j->awake;
 	j->awake = CNI_NONE;
@@ -70,8 +69,8 @@ void cni_joint_leave_awake_list(cn_world *world, int32_t joint)
 
 int32_t cni_joint_count(const cn_world *world, int32_t body)
 {
-	int32_t key, count = 0;
-	for (key = cni_body_at(world, body)->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1])
+	int32_t count = 0;
+	for (int32_t key = cni_body_at(world, body)->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1])
 		++count;
 	return count;
 }

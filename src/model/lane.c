@@ -40,8 +40,7 @@ int32_t cni_lane_reserve(cn_world *world, int32_t lanes)
 static int32_t block_take(cn_world *world, int32_t color)
 {
 	cni_color *group = &world->colors[color];
-	int32_t block = world->block_free, lane;
-	cni_block_info *info;
+	int32_t block = world->block_free;
 	if (block != CNI_NONE)
 		world->block_free = cni_block_info_at(world, block)->next;
 	else
@@ -51,9 +50,9 @@ static int32_t block_take(cn_world *world, int32_t color)
 	memset(cni_block_anchor_at(world, block), 0, sizeof(cni_block_anchor));
 	if (cni_block_extra_at(world, block) != NULL)
 		memset(cni_block_extra_at(world, block), 0, sizeof(cni_block_extra));
-	info = cni_block_info_at(world, block);
+	cni_block_info *info = cni_block_info_at(world, block);
 	memset(info, 0, sizeof *info);
-	for (lane = 0; lane < CNI_LANES; ++lane)
+	for (int32_t lane = 0; lane < CNI_LANES; ++lane)
 		info->contact[lane] = CNI_NONE;
 	info->color = (int16_t)color;
 	info->next = CNI_NONE;
@@ -111,8 +110,8 @@ static void color_mark(cni_body *a, cni_body *b, int32_t color, int32_t on)
 
 int32_t cni_blocks_are_few(const cn_world *world)
 {
-	int32_t color, count = 0;
-	for (color = 0; color < CNI_COLORS; ++color)
+	int32_t count = 0;
+	for (int32_t color = 0; color < CNI_COLORS; ++color)
 		count += (world->colors[color].lanes + CNI_LANES - 1) / CNI_LANES;
 	return count < world->block_used / 4;
 }
@@ -151,16 +150,14 @@ static void slot_take(cn_world *world, int32_t contact, int32_t color)
 void cni_lane_take(cn_world *world, int32_t contact)
 {
 	cni_contact *c = cni_contact_at(world, contact);
-	cni_body *a, *b;
-	int32_t color;
 	if (cni_body_at(world, c->body[0])->type == CN_BODY_DYNAMIC)
 		c->flags &= ~(uint32_t)CNI_CONTACT_FLIPPED;
 	else
 		c->flags |= CNI_CONTACT_FLIPPED;
-	a = lane_body(world, c, 0);
-	b = lane_body(world, c, 1);
+	cni_body *a = lane_body(world, c, 0);
+	cni_body *b = lane_body(world, c, 1);
 	CNI_ASSERT(a->type == CN_BODY_DYNAMIC);
-	color = color_choose(a, b);
+	int32_t color = color_choose(a, b);
 	color_mark(a, b, color, 1);
 	++a->lanes;
 	++b->lanes;

@@ -31,12 +31,11 @@ static void lane_limit(const cn_world *world, int32_t slot, float speed_most)
 void cni_island_limit_impulses(cn_world *world, cni_island *island)
 {
 	float speed_most = cni_soft_speed_most(world);
-	int32_t body, key;
 	if (!island->awake || island->limited_step == world->step_count + 1)
 		return;
 	island->limited_step = world->step_count + 1;
-	for (body = island->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
-		for (key = cni_body_at(world, body)->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
+	for (int32_t body = island->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
+		for (int32_t key = cni_body_at(world, body)->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
 			const cni_contact *c = cni_contact_of_key(world, key);
 			if (cni_contact_has_lane(c) && (body == c->body[0] || !cni_is_dynamic(world, c->body[0])))
 				lane_limit(world, c->slot, speed_most);
@@ -63,14 +62,13 @@ static float joint_speed(const cn_world *world, const cni_joint *j)
 void cni_body_let_go(cn_world *world, int32_t body)
 {
 	float speed_most = cni_soft_speed_most(world);
-	int32_t key;
 	cni_body_wake_neighbours(world, body);
-	for (key = cni_body_at(world, body)->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
+	for (int32_t key = cni_body_at(world, body)->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
 		const cni_contact *c = cni_contact_of_key(world, key);
 		if (cni_contact_has_lane(c) && lane_speed(world, c->slot) > speed_most)
 			neighbour_limit(world, c->body[1 - (key & 1)]);
 	}
-	for (key = cni_body_at(world, body)->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1]) {
+	for (int32_t key = cni_body_at(world, body)->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1]) {
 		const cni_joint *j = cni_joint_at(world, key >> 1);
 		if (joint_speed(world, j) > speed_most)
 			neighbour_limit(world, j->body[1 - (key & 1)]);

@@ -76,9 +76,9 @@ static int32_t proxy_create(cn_world *world, int32_t shape, int32_t child)
 static void edges_place(cn_world *world, int32_t shape, cni_ref ids)
 {
 	cni_shape *s = cni_shape_at(world, shape);
-	int32_t count = cni_shape_children(&world->blocks, s), child;
+	int32_t count = cni_shape_children(&world->blocks, s);
 	s->box.proxies = ids;
-	for (child = 0; child < count; ++child)
+	for (int32_t child = 0; child < count; ++child)
 		((int32_t *)cni_blocks_at(&world->blocks, ids))[child] = proxy_create(world, shape, child);
 }
 
@@ -106,11 +106,10 @@ cn_result cni_shape_place(cn_world *world, int32_t shape)
 void cni_shape_unplace(cn_world *world, int32_t shape)
 {
 	cni_shape *s = cni_shape_at(world, shape);
-	int32_t child;
 	if (!shape_is_placed(s))
 		return;
 	cni_contact_destroy_of_shape(world, shape);
-	for (child = 0; child < cni_shape_children(&world->blocks, s); ++child) {
+	for (int32_t child = 0; child < cni_shape_children(&world->blocks, s); ++child) {
 		int32_t proxy = cni_shape_proxy(world, s, child);
 		if (!cni_is_dynamic(world, s->body))
 			cni_seams_change(world, &cni_proxy_at(world, proxy)->fat);
@@ -184,10 +183,9 @@ cn_result cni_shape_replace_chain(cn_world *world, int32_t shape, cni_ref piece)
 void cni_shape_refilter(cn_world *world, int32_t shape)
 {
 	cni_shape *s = cni_shape_at(world, shape);
-	int32_t child;
 	if (!shape_is_placed(s))
 		return;
-	for (child = 0; child < cni_shape_children(&world->blocks, s); ++child) {
+	for (int32_t child = 0; child < cni_shape_children(&world->blocks, s); ++child) {
 		cni_proxy *p = cni_proxy_at(world, cni_shape_proxy(world, s, child));
 		uint32_t is_static = cni_body_at(world, s->body)->type == CN_BODY_STATIC ? (uint32_t)CNI_PROXY_STATIC : 0u;
 		if (!cni_is_dynamic(world, s->body) || (p->flags & CNI_PROXY_STATIC) || cni_shape_geometry(&world->blocks, s)->seams != 0)

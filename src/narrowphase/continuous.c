@@ -23,7 +23,6 @@
 #include "narrowphase/narrowphase.h"
 #include "narrowphase/touch.h"
 #include "base/bitset.h"
-#include "collision/distance.h"
 #include "contacts/deep_lanes.h"
 
 #include <float.h>
@@ -57,8 +56,7 @@ static void polygon_shrink(core_shape *core, float depth)
 {
 	const int32_t n = core->geometry.count;
 	const cni_vec2 *normals = core->points + n;
-	int32_t k;
-	for (k = 0; k < n; ++k) {
+	for (int32_t k = 0; k < n; ++k) {
 		cni_vec2 sum = cni_add(normals[(k + n - 1) % n], normals[k]);
 		float length_sq = cni_length_sq(sum); /* twice 1 + cosine of the angle between the normals */
 		float most = 0.5f * cni_sqrt(cni_distance_sq(core->points[k], core->geometry.centroid) / cni_max(length_sq, FLT_MIN));
@@ -155,9 +153,8 @@ static float path_advance_along(const cni_geometry *g, int32_t child, const cni_
 	cni_proxy_points set = cni_geometry_proxy(g, child, storage);
 	cni_transform end = cni_path_at(path, 1.0f);
 	float low_from = FLT_MAX, low_to = FLT_MAX;
-	int32_t k;
 	to = cni_unrotate(end.q, normal);
-	for (k = 0; k < set.count; ++k) {
+	for (int32_t k = 0; k < set.count; ++k) {
 		cni_vec2 arm = cni_sub(set.points[k], path->local_center);
 		low_from = cni_min(low_from, cni_dot(arm, from));
 		low_to = cni_min(low_to, cni_dot(arm, to));
@@ -233,13 +230,11 @@ static int32_t core_clamp(clamp *c, const core_shape *core, cni_toi_input *in, c
 static void deeper_end(clamp *c)
 {
 	int32_t contact = cni_contact_find(c->world, c->proxy, c->other_proxy), l, deepest;
-	const cni_contact_block *k;
-	cni_vec2 n;
 	if (contact == CNI_NONE || !cni_contact_has_lane(cni_contact_at(c->world, contact)))
 		return;
 	l = cni_contact_at(c->world, contact)->slot % CNI_LANES;
-	k = cni_block_at(c->world, cni_contact_at(c->world, contact)->slot / CNI_LANES);
-	n = cni_v(-k->nx[l], -k->ny[l]);
+	const cni_contact_block *k = cni_block_at(c->world, cni_contact_at(c->world, contact)->slot / CNI_LANES);
+	cni_vec2 n = cni_v(-k->nx[l], -k->ny[l]);
 	if (!(path_advance_along(&c->core.geometry, 0, &c->path, n) < 0.0f) || !ends_path_before(c, 0.0f))
 		return;
 	deepest = k->p[1].s0[l] < k->p[0].s0[l];
@@ -270,13 +265,11 @@ static float visit_candidate(void *context, int32_t proxy, float limit)
 	clamp *c = (clamp *)context;
 	const cn_world *world = c->world;
 	const cni_proxy *p = cni_proxy_at(world, proxy);
-	const cni_shape *s;
-	const cni_body *other;
 	cni_toi_input in;
 	if (!other_blocks(c, proxy) || ((p->flags & CNI_PROXY_STATIC) && !core_reaches(c, &p->fat))) /* rejected by the proxy alone */
 		return limit;
-	s = cni_shape_at(world, p->shape);
-	other = cni_body_at(world, s->body);
+	const cni_shape *s = cni_shape_at(world, p->shape);
+	const cni_body *other = cni_body_at(world, s->body);
 	c->other_proxy = proxy;
 	in.a = cni_shape_geometry(&world->blocks, s);
 	in.child_a = cni_proxy_child(p);
@@ -310,8 +303,8 @@ static int32_t shape_can_tunnel(const cni_shape *s, int32_t proxy)
 static void shape_clamp_contacts(clamp *c, const cni_shape *s)
 {
 	const cn_world *world = c->world;
-	int32_t key, next, has_core = 0;
-	for (key = c->body->contact_first; key != CNI_NONE; key = next) {
+	int32_t next, has_core = 0;
+	for (int32_t key = c->body->contact_first; key != CNI_NONE; key = next) {
 		const cni_contact *contact = cni_contact_of_key(world, key);
 		int32_t side = key & 1, other = contact->proxy[1 - side];
 		next = contact->next[side];
@@ -333,14 +326,13 @@ static void clamp_find(clamp *c, cn_world *world, int32_t body, int32_t targets,
 	const cni_body *b = cni_body_at(world, body);
 	const cni_motion *m = cni_motions(world) + b->awake;
 	cni_aabb box = swept_box(b, m);
-	int32_t shape;
 	c->world = world;
 	c->body = b;
 	c->targets = targets;
 	c->fraction = 1.0f;
 	c->blocking_body = 0;
 	c->path = path_of(b, cni_v(b->cx, b->cy), m);
-	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
+	for (int32_t shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
 		const cni_shape *s = cni_shape_at(world, shape);
 		c->proxy = cni_shape_proxy(world, s, 0);
 		if (!shape_can_tunnel(s, c->proxy))
@@ -421,22 +413,19 @@ static int32_t path_is_inside_boxes(const cn_world *world, const cni_body *b, co
 {
 	float turn_reach = cni_body_turn_reach(b), bend = 0.125f * turn_reach * m->theta * m->theta;
 	float turn_bound = bend + cni_body_reach(b, 0.0f, 0.0f, m->theta);
-	cni_transform start;
-	int32_t shape;
 	if (cni_abs(m->theta) > CNI_CORE_TURN_MAX_RAD && turn_reach > 0.0f)
 		return 0;
 	if ((b->flags & CNI_BODY_AHEAD) && deviation_from_predicted(world, b, m) + turn_bound < cni_body_room(b))
 		return 1;
-	start = cni_body_transform(b);
-	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
+	cni_transform start = cni_body_transform(b);
+	for (int32_t shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
 		const cni_shape *s = cni_shape_at(world, shape);
 		const cni_geometry *g = cni_shape_geometry(&world->blocks, s);
 		int32_t proxy = cni_shape_proxy(world, s, 0);
-		const cni_aabb *fat;
 		cni_aabb from, to, box;
 		if (!shape_can_tunnel(s, proxy))
 			continue;
-		fat = &cni_proxy_at(world, proxy)->fat;
+		const cni_aabb *fat = &cni_proxy_at(world, proxy)->fat;
 		cni_geometry_box(g, 0, &start, &from);
 		to = cni_box_moved(from, cni_v(m->dpx, m->dpy));
 		box = cni_box_fatten(cni_aabb_union(&from, &to), turn_bound);
@@ -458,12 +447,10 @@ static int32_t path_is_inside_boxes(const cn_world *world, const cni_body *b, co
 static void deep_bodies_mark(cn_world *world)
 {
 	const cni_motion *motions = cni_motions(world);
-	int32_t color, block;
-	uint32_t deep;
-	for (color = CNI_COLOR_STATIC; color < CNI_COLORS; ++color)
-		for (block = world->colors[color].first; block != CNI_NONE; block = cni_block_info_at(world, block)->next) {
+	for (int32_t color = CNI_COLOR_STATIC; color < CNI_COLORS; ++color)
+		for (int32_t block = world->colors[color].first; block != CNI_NONE; block = cni_block_info_at(world, block)->next) {
 			const cni_contact_block *k = cni_block_at(world, block);
-			for (deep = cni_deep_lanes(k, CNI_CORE_NEAR_PART * world->settings.slop); deep != 0; deep &= deep - 1u) {
+			for (uint32_t deep = cni_deep_lanes(k, CNI_CORE_NEAR_PART * world->settings.slop); deep != 0; deep &= deep - 1u) {
 				int32_t l = cni_bit_lowest32(deep), index = k->ia[l];
 				float core = cni_body_at(world, cni_awake_ids(world)[index])->core;
 				if (!(motions[k->ib[l]].inv_mass > 0.0f) && -cni_min(k->p[0].s0[l], k->p[1].s0[l]) > CNI_CORE_NEAR_PART * core)
@@ -511,8 +498,8 @@ static void check_range(void *context, int32_t begin, int32_t end)
 	const int32_t *ids = cni_awake_ids(world);
 	const cni_motion *motions = cni_motions(world);
 	cni_external *externals = cni_externals(world);
-	int32_t k, fast, many = world->awake_count > RECORDS_MANY;
-	for (k = begin + 1; k <= end; ++k) {
+	int32_t fast, many = world->awake_count > RECORDS_MANY;
+	for (int32_t k = begin + 1; k <= end; ++k) {
 		if (many && k + RECORDS_AHEAD <= end)
 			record_prefetch(world, ids[k + RECORDS_AHEAD]);
 		fast = body_is_fast(cni_body_at(world, ids[k]), &motions[k]);
@@ -527,8 +514,7 @@ static void check_range(void *context, int32_t begin, int32_t end)
 static void bullets_check(cn_world *world)
 {
 	cni_external *externals = cni_externals(world);
-	int32_t k;
-	for (k = 1; k < world->awake_count; ++k) {
+	for (int32_t k = 1; k < world->awake_count; ++k) {
 		int32_t body = cni_awake_ids(world)[k];
 		if (!(externals[k].flags & CNI_EXTERNAL_DEFERRED))
 			continue;

@@ -48,8 +48,7 @@ static cni_cull_body cull_body_make(const cni_body *b, float dt)
 static void bodies_range(void *context, int32_t begin, int32_t end)
 {
 	const cni_cull_list *list = (const cni_cull_list *)context;
-	int32_t k;
-	for (k = begin; k < end; ++k)
+	for (int32_t k = begin; k < end; ++k)
 		list->bodies[k] = cull_body_make(cni_body_at(list->world, k), list->dt);
 }
 
@@ -82,9 +81,8 @@ CNI_INLINE int32_t place_of(const cni_cull *s, int32_t k) { return (int32_t)((ui
 /* Memory that cni_touch_begin reads. */
 CNI_INLINE void pair_prefetch(const cni_touch_pair *p)
 {
-	int32_t side;
 	CNI_PREFETCH(&p->contact->cache);
-	for (side = 0; side < 2; ++side) {
+	for (int32_t side = 0; side < 2; ++side) {
 		CNI_PREFETCH(&p->proxy[side]->fat);
 		CNI_PREFETCH(&p->proxy[side]->geometry);
 		body_prefetch(p->body[side]);
@@ -93,8 +91,7 @@ CNI_INLINE void pair_prefetch(const cni_touch_pair *p)
 
 CNI_INLINE void members_prefetch(const cni_cull_list *list, const cni_contact *c, const cni_proxy **proxy)
 {
-	int32_t side;
-	for (side = 0; side < 2; ++side) {
+	for (int32_t side = 0; side < 2; ++side) {
 		proxy[side] = cni_proxy_at(list->world, c->proxy[side]);
 		CNI_PREFETCH(&proxy[side]->fat);
 		if (list->bodies != NULL)
@@ -107,16 +104,14 @@ CNI_INLINE void members_prefetch(const cni_cull_list *list, const cni_contact *c
 /* Prefetches bodies and boxes of contact k at a place, whose record was prefetched earlier. inside: k is in the range and does not touch. */
 CNI_INLINE void ask_for_members(cni_cull *s, int32_t k, int32_t place, int32_t inside)
 {
-	cni_contact *c;
-	cni_touch_pair *pair;
 	if (!inside && k >= s->end)
 		return;
-	c = s->record[place];
+	cni_contact *c = s->record[place];
 	if (inside || k < s->of.apart) {
 		members_prefetch(&s->of, c, s->proxy[place]);
 		return;
 	}
-	pair = &s->touching[(uint32_t)k % CNI_CULL_MEMBERS];
+	cni_touch_pair *pair = &s->touching[(uint32_t)k % CNI_CULL_MEMBERS];
 	*pair = cni_touch_pair_of(s->of.world, c, s->of.contacts[k]);
 	pair_prefetch(pair);
 }
@@ -124,10 +119,9 @@ CNI_INLINE void ask_for_members(cni_cull *s, int32_t k, int32_t place, int32_t i
 /* Records span two cache lines. */
 CNI_INLINE void ask_for_record(cni_cull *s, int32_t k, int32_t place, int32_t inside)
 {
-	cni_contact *c;
 	if (!inside && k >= s->end)
 		return;
-	c = s->record[place] = cni_contact_at(s->of.world, s->of.contacts[k]);
+	cni_contact *c = s->record[place] = cni_contact_at(s->of.world, s->of.contacts[k]);
 	CNI_PREFETCH(c);
 	CNI_PREFETCH(&c->flags);
 }
@@ -136,15 +130,15 @@ CNI_INLINE void ask_for_record(cni_cull *s, int32_t k, int32_t place, int32_t in
    so those found here are kept until they are used. */
 CNI_INLINE void prefetch_ahead(cni_cull *s, int32_t at, int32_t count)
 {
-	int32_t l, last = at + count - 1 + RECORDS_AHEAD, records = place_of(s, at + RECORDS_AHEAD), members = place_of(s, at + MEMBERS_AHEAD);
+	int32_t last = at + count - 1 + RECORDS_AHEAD, records = place_of(s, at + RECORDS_AHEAD), members = place_of(s, at + MEMBERS_AHEAD);
 	if (last < s->end && last < s->of.apart) {
-		for (l = 0; l < count; ++l) {
+		for (int32_t l = 0; l < count; ++l) {
 			ask_for_record(s, at + RECORDS_AHEAD + l, records + l, 1);
 			ask_for_members(s, at + MEMBERS_AHEAD + l, members + l, 1);
 		}
 		return;
 	}
-	for (l = 0; l < count; ++l) {
+	for (int32_t l = 0; l < count; ++l) {
 		ask_for_record(s, at + RECORDS_AHEAD + l, records + l, 0);
 		ask_for_members(s, at + MEMBERS_AHEAD + l, members + l, 0);
 	}
@@ -229,8 +223,7 @@ CNI_INLINE cni_mask all_of_each(const cni_mask *m)
 /* Few contacts have such flags. */
 static uint32_t four_by_flags(cni_contact *const *c, uint32_t apart)
 {
-	int32_t l;
-	for (l = 0; l < 4; ++l) {
+	for (int32_t l = 0; l < 4; ++l) {
 		contact_enters_no_more(c[l]);
 		if (c[l]->flags & LOOKED_AT)
 			apart &= ~(1u << l);
@@ -245,11 +238,9 @@ static uint32_t four_cull(const cni_cull *s, cni_contact *const *c, const cni_pr
 	const cni_cull_body *a[4], *b[4];
 	const cni_wide zero = cni_wide_of(0.0f), one = cni_wide_of(1.0f), margin = cni_wide_of(CNI_CIRCLES_APART * s->of.margin);
 	cni_wide radius_a, radius_b, dx, dy, ahead_x, ahead_y, reach, part;
-	uint32_t apart, marks;
 	cull_rows r;
-	int32_t l;
 	r.flags = 0;
-	for (l = 0; l < 4; ++l) {
+	for (int32_t l = 0; l < 4; ++l) {
 		a[l] = &cni_cull_bodies(&s->of)[c[l]->body[0]];
 		b[l] = &cni_cull_bodies(&s->of)[c[l]->body[1]];
 		rows_take(&r, l, a[l], b[l], proxy[l], c[l]);
@@ -262,8 +253,8 @@ static uint32_t four_cull(const cni_cull *s, cni_contact *const *c, const cni_pr
 	part = cni_wide_min(cni_wide_max(part, zero), one);
 	dx += part * ahead_x;
 	dy += part * ahead_y;
-	apart = cni_mask_bits((dx * dx + dy * dy > reach * reach) & all_of_each(r.over));
-	for (marks = cni_mask_bits((radius_a <= cni_wide_of(0.0f)) | (radius_b <= cni_wide_of(0.0f))); marks != 0; marks &= marks - 1)
+	uint32_t apart = cni_mask_bits((dx * dx + dy * dy > reach * reach) & all_of_each(r.over));
+	for (uint32_t marks = cni_mask_bits((radius_a <= cni_wide_of(0.0f)) | (radius_b <= cni_wide_of(0.0f))); marks != 0; marks &= marks - 1)
 		contact_mark_static(world, c[cni_bit_lowest32(marks)]);
 	return r.flags & (LOOKED_AT | ENTERED) ? four_by_flags(c, apart) : apart;
 }
@@ -276,12 +267,11 @@ static uint32_t four_cull(const cni_cull *s, cni_contact *const *c, const cni_pr
 CNI_INLINE void batch_find(cni_cull *s, int32_t at, int32_t place, int32_t count)
 {
 	const cn_world *world = s->of.world;
-	int32_t l;
 	if (cni_cull_prefetches(&s->of)) {
 		prefetch_ahead(s, at, count);
 		return;
 	}
-	for (l = 0; l < count; ++l) {
+	for (int32_t l = 0; l < count; ++l) {
 		cni_contact *c = s->record[place + l] = cni_contact_at(world, s->of.contacts[at + l]);
 		s->proxy[place + l][0] = cni_proxy_at(world, c->proxy[0]);
 		s->proxy[place + l][1] = cni_proxy_at(world, c->proxy[1]);
@@ -341,9 +331,9 @@ static int32_t take_left(cni_cull *s, cni_touch_pair *out, int32_t most)
 static int32_t take_touching(cni_cull *s, cni_touch_pair *out, int32_t most)
 {
 	const cn_world *world = s->of.world;
-	int32_t k, at = s->at, count = cni_min_i(most, s->end - at), prefetches = cni_cull_prefetches(&s->of);
+	int32_t at = s->at, count = cni_min_i(most, s->end - at), prefetches = cni_cull_prefetches(&s->of);
 	const int32_t *contacts = s->of.contacts + at;
-	for (k = 0; k < count; ++k) {
+	for (int32_t k = 0; k < count; ++k) {
 		if (prefetches) {
 			prefetch_ahead(s, at + k, 1);
 			out[k] = s->touching[(uint32_t)(at + k) % CNI_CULL_MEMBERS];
@@ -380,16 +370,15 @@ void cni_cull_close(cni_cull_list *list)
 
 void cni_cull_begin(cni_cull *s, const cni_cull_list *list, int32_t begin, int32_t end)
 {
-	int32_t k;
 	s->of = *list;
 	s->begin = s->at = s->batch = begin;
 	s->end = end;
 	s->left = 0;
 	if (!cni_cull_prefetches(list))
 		return;
-	for (k = 0; k < RECORDS_AHEAD; ++k)
+	for (int32_t k = 0; k < RECORDS_AHEAD; ++k)
 		ask_for_record(s, begin + k, k, 0);
-	for (k = 0; k < MEMBERS_AHEAD; ++k)
+	for (int32_t k = 0; k < MEMBERS_AHEAD; ++k)
 		ask_for_members(s, begin + k, k, 0);
 }
 
@@ -436,14 +425,12 @@ CNI_INLINE int32_t face_separates(const cn_world *world, const cni_touch_pair *p
 	int32_t axis = (int32_t)p->contact->cache.axis - 1, side = axis >= CN_POLYGON_MAX_VERTICES, edge = axis - CN_POLYGON_MAX_VERTICES * side;
 	const cni_body *f = p->body[side], *o = p->body[1 - side];
 	const cni_geometry *face = cni_proxy_geometry(&world->blocks, p->proxy[side]), *other = cni_proxy_geometry(&world->blocks, p->proxy[1 - side]);
-	cni_vec2 normal, n;
-	float height, closing;
 	if (edge >= face->count)
 		return 0;
-	normal = cni_geometry_normals(face)[edge];
-	n = cni_rotate(f->q, normal);
-	height = cni_dot(normal, cni_sub(cni_geometry_points(face)[edge], f->local_center));
-	closing = cni_max(cni_dot(n, cni_v(f->vx - o->vx, f->vy - o->vy)), 0.0f);
+	cni_vec2 normal = cni_geometry_normals(face)[edge];
+	cni_vec2 n = cni_rotate(f->q, normal);
+	float height = cni_dot(normal, cni_sub(cni_geometry_points(face)[edge], f->local_center));
+	float closing = cni_max(cni_dot(n, cni_v(f->vx - o->vx, f->vy - o->vy)), 0.0f);
 	return cni_dot(n, cni_body_a_to_b(f, o)) + lowest_along(o, other, n) - height - face->radius - other->radius >
 	       world->settings.contact_margin + dt * (closing + turn_of(f, o));
 }
@@ -455,14 +442,13 @@ CNI_INLINE int32_t circle_is_far(const cn_world *world, const cni_touch_pair *p,
 	const cni_geometry *circle = cni_proxy_geometry(&world->blocks, p->proxy[0]), *other = cni_proxy_geometry(&world->blocks, p->proxy[1]);
 	int32_t child = cni_proxy_child(p->proxy[1]);
 	const cni_vec2 *points = cni_geometry_points(other) + child;
-	cni_vec2 center, start, edge, nearest;
 	float reach;
 	if (circle->count != 1 || (cni_is_chain(other->type) ? child + 1 >= other->count : other->count != 2))
 		return 0;
-	center = cni_rotate(a->q, cni_sub(cni_geometry_points(circle)[0], a->local_center));
-	edge = cni_rotate(b->q, cni_sub(points[1], points[0]));
-	start = cni_add(cni_body_a_to_b(a, b), cni_rotate(b->q, cni_sub(points[0], b->local_center)));
-	nearest = cni_segment_nearest(center, start, edge);
+	cni_vec2 center = cni_rotate(a->q, cni_sub(cni_geometry_points(circle)[0], a->local_center));
+	cni_vec2 edge = cni_rotate(b->q, cni_sub(points[1], points[0]));
+	cni_vec2 start = cni_add(cni_body_a_to_b(a, b), cni_rotate(b->q, cni_sub(points[0], b->local_center)));
+	cni_vec2 nearest = cni_segment_nearest(center, start, edge);
 	reach = circle->radius + other->radius + world->settings.contact_margin + dt * (cni_length(cni_v(a->vx - b->vx, a->vy - b->vy)) + turn_of(a, b));
 	return cni_distance_sq(center, nearest) > reach * reach;
 }

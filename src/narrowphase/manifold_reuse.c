@@ -30,14 +30,13 @@ static uint32_t bodies_gather(const cn_world *world, const cni_contact_block *k,
                               uint32_t anchored, cni_reuse_bodies *out)
 {
 	const int32_t *ids = cni_awake_ids(world);
-	int32_t l, end = anchored >> CNI_LANES / 2 != 0 ? CNI_LANES : CNI_LANES / 2;
-	for (l = 0; l < end; ++l) {
-		cni_body *a, *b;
+	int32_t end = anchored >> CNI_LANES / 2 != 0 ? CNI_LANES : CNI_LANES / 2;
+	for (int32_t l = 0; l < end; ++l) {
 		out->a[l] = out->b[l] = cni_record_floats(&cni_body_none);
 		if (!(anchored >> l & 1u))
 			continue;
-		a = cni_body_at(world, ids[k->ia[l]]);
-		b = cni_body_at(world, k->ib[l] == 0 ? anchor->x.body[l] : ids[k->ib[l]]);
+		cni_body *a = cni_body_at(world, ids[k->ia[l]]);
+		cni_body *b = cni_body_at(world, k->ib[l] == 0 ? anchor->x.body[l] : ids[k->ib[l]]);
 		if ((cni_body_flags(a) | cni_body_flags(b)) & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y)) {
 			anchored &= ~(1u << l);
 			continue;
@@ -69,8 +68,8 @@ static cni_reuse_pass pass_make(const cn_world *world, float dt)
 #if defined(CNI_DEBUG)
 static int32_t reused_boxes_overlap(const cn_world *world, const int32_t *contacts, uint32_t remaining)
 {
-	int32_t l, overlap = 1;
-	for (l = 0; l < CNI_LANES && contacts[l] != CNI_NONE; ++l) {
+	int32_t overlap = 1;
+	for (int32_t l = 0; l < CNI_LANES && contacts[l] != CNI_NONE; ++l) {
 		const cni_contact *c = cni_contact_at(world, contacts[l]);
 		overlap &= (remaining >> l & 1u) || cni_aabb_overlap(&cni_proxy_at(world, c->proxy[0])->fat, &cni_proxy_at(world, c->proxy[1])->fat);
 	}
@@ -101,8 +100,7 @@ static void poses_range(void *context, int32_t begin, int32_t end)
 {
 	const reuse_loop *loop = (const reuse_loop *)context;
 	const cn_world *world = loop->world;
-	int32_t k;
-	for (k = begin + 1; k <= end; ++k) {
+	for (int32_t k = begin + 1; k <= end; ++k) {
 		const cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
 		cni_reuse_pose *p = &loop->poses[k];
 		memcpy(p, b, offsetof(cni_reuse_pose, extent));
@@ -126,10 +124,10 @@ static void poses_make(cn_world *world, reuse_loop *loop, int32_t anchored)
 /* Returns the number of anchored lanes between awake bodies. */
 static int32_t blocks_list(const cn_world *world, reuse_loop *loop)
 {
-	int32_t color, block, lanes, anchored = 0;
+	int32_t block, lanes, anchored = 0;
 	loop->blocks = (reuse_block *)world->block_list.data;
 	loop->count = 0;
-	for (color = 0; color < CNI_COLORS; ++color)
+	for (int32_t color = 0; color < CNI_COLORS; ++color)
 		for (lanes = world->colors[color].lanes, block = world->colors[color].first; lanes > 0; lanes -= CNI_LANES) {
 			const cni_block_info *info = cni_block_info_at(world, block);
 			reuse_block *b = &loop->blocks[loop->count++];
@@ -154,12 +152,10 @@ CNI_INLINE void record_prefetch(const cn_world *world, int32_t index)
 CNI_INLINE void blocks_prefetch(const reuse_loop *loop, int32_t next)
 {
 	const cn_world *world = loop->world;
-	const cni_contact_block *k;
-	int32_t l, after;
 	if (next >= loop->count)
 		return;
-	k = cni_block_at(world, loop->blocks[next].block);
-	for (l = 0; l < CNI_LANES; ++l) {
+	const cni_contact_block *k = cni_block_at(world, loop->blocks[next].block);
+	for (int32_t l = 0; l < CNI_LANES; ++l) {
 		if (loop->pass.poses != NULL) {
 			CNI_PREFETCH(&loop->pass.poses[k->ia[l]]);
 			CNI_PREFETCH(&loop->pass.poses[k->ib[l]]);
@@ -170,7 +166,7 @@ CNI_INLINE void blocks_prefetch(const reuse_loop *loop, int32_t next)
 	}
 	if (next + 1 >= loop->count)
 		return;
-	after = loop->blocks[next + 1].block;
+	int32_t after = loop->blocks[next + 1].block;
 	cni_lines_prefetch(cni_block_at(world, after), (int32_t)sizeof(cni_contact_block));
 	cni_lines_prefetch(cni_block_anchor_at(world, after), (int32_t)sizeof(cni_block_anchor));
 	CNI_PREFETCH(cni_block_info_at(world, after));
@@ -194,8 +190,7 @@ static uint32_t block_reuse(const reuse_loop *loop, int32_t block)
 static void reuse_range(void *context, int32_t begin, int32_t end)
 {
 	const reuse_loop *loop = (const reuse_loop *)context;
-	int32_t k;
-	for (k = begin; k < end; ++k) {
+	for (int32_t k = begin; k < end; ++k) {
 		if (loop->world->awake_count >= CNI_PREFETCH_BODIES)
 			blocks_prefetch(loop, k + 1);
 		loop->blocks[k].remaining &= ~block_reuse(loop, loop->blocks[k].block);
@@ -205,12 +200,11 @@ static void reuse_range(void *context, int32_t begin, int32_t end)
 /* Contacts of lanes that were not reused, in the order of blocks and lanes. */
 static int32_t remaining_collect(const reuse_loop *loop, int32_t *remaining)
 {
-	int32_t k, count = 0;
-	for (k = 0; k < loop->count; ++k) {
+	int32_t count = 0;
+	for (int32_t k = 0; k < loop->count; ++k) {
 		const int32_t *contact = cni_block_info_at(loop->world, loop->blocks[k].block)->contact;
-		uint32_t lanes;
 		CNI_ASSERT(reused_boxes_overlap(loop->world, contact, loop->blocks[k].remaining));
-		for (lanes = loop->blocks[k].remaining; lanes != 0; lanes &= lanes - 1u)
+		for (uint32_t lanes = loop->blocks[k].remaining; lanes != 0; lanes &= lanes - 1u)
 			remaining[count++] = contact[cni_bit_lowest32(lanes)];
 	}
 	return count;
@@ -219,12 +213,11 @@ static int32_t remaining_collect(const reuse_loop *loop, int32_t *remaining)
 int32_t cni_manifolds_reuse(cn_world *world, float dt, int32_t *remaining)
 {
 	reuse_loop loop;
-	int32_t anchored;
 	loop.world = world;
 	loop.poses = NULL;
 	loop.kernel = cni_contact_kernel_choose();
 	loop.pass = pass_make(world, dt);
-	anchored = blocks_list(world, &loop);
+	int32_t anchored = blocks_list(world, &loop);
 	if (dt > 0.0f && CNI_ON(MANIFOLD_REUSE))
 		poses_make(world, &loop, anchored);
 	cni_parallel_for(world, loop.count, BLOCKS_A_RANGE, reuse_range, &loop);

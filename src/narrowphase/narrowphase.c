@@ -39,10 +39,10 @@ static int32_t boxes_overlap(const cn_world *world, const cni_contact *c)
 static int32_t shapes_overlap(const cni_touch *t)
 {
 	cni_vec2 a[2], b[2];
-	int32_t k, overlaps = 0;
+	int32_t overlaps = 0;
 	if (CNI_HAS_CHAINS && t->boxes_overlap && t->in.b->type == CN_SHAPE_CHAIN)
 		return cni_distance(cni_geometry_proxy(t->in.a, 0, a), cni_geometry_proxy(t->in.b, t->in.child_b, b), t->in.b_in_a).distance <= 0.0f;
-	for (k = 0; k < t->result.manifold.count; ++k)
+	for (int32_t k = 0; k < t->result.manifold.count; ++k)
 		overlaps |= t->result.manifold.points[k].separation <= 0.0f;
 	return overlaps;
 }
@@ -59,12 +59,11 @@ static int32_t sensor_update(const cni_touch *t)
 static void call_pre_solve(cn_world *world, int32_t contact)
 {
 	cn_contact_event event;
-	int32_t solve;
 	if (world->pre_solve == NULL)
 		return;
 	cni_contact_describe(world, contact, cni_contact_at(world, contact)->flags & CNI_CONTACT_ENTERED ? CN_EVENT_ENTER : CN_EVENT_STAY, &event);
 	++world->locked;
-	solve = world->pre_solve(world, &event, world->pre_solve_user);
+	int32_t solve = world->pre_solve(world, &event, world->pre_solve_user);
 	--world->locked;
 	if (!solve)
 		cni_contact_write_empty(world, contact);
@@ -204,11 +203,10 @@ static int32_t is_deferred(const window *w, const cni_touch_pair *p)
    effect. */
 CNI_INLINE void lane_prefetch(const cn_world *world, const cni_touch_pair *p)
 {
-	const cni_contact_block *block;
 	int32_t l = p->contact->slot % CNI_LANES;
 	if (!(p->contact->flags & CNI_CONTACT_TOUCHING))
 		return;
-	block = cni_block_at(world, p->contact->slot / CNI_LANES);
+	const cni_contact_block *block = cni_block_at(world, p->contact->slot / CNI_LANES);
 	CNI_PREFETCH(cni_motions(world) + p->body[0]->awake);
 	CNI_PREFETCH(cni_motions(world) + p->body[1]->awake);
 	CNI_PREFETCH(&block->p[0].jn[l]);
@@ -225,8 +223,7 @@ CNI_INLINE void geometry_prefetch(const cn_world *world, const cni_proxy *p)
 
 static void window_prefetch(const cn_world *world, const window *w, int32_t count)
 {
-	int32_t k;
-	for (k = 0; k < count; ++k) {
+	for (int32_t k = 0; k < count; ++k) {
 		geometry_prefetch(world, w->pair[k].proxy[0]);
 		geometry_prefetch(world, w->pair[k].proxy[1]);
 		lane_prefetch(world, &w->pair[k]);
@@ -242,11 +239,10 @@ static int32_t is_culled(const cn_world *world, const cni_touch_pair *p, float d
 
 static void window_begin(const cn_world *world, window *w, int32_t count, float dt)
 {
-	int32_t k;
 	w->batch.count = 0;
 	if (w->prefetches)
 		window_prefetch(world, w, count);
-	for (k = 0; k < count; ++k) {
+	for (int32_t k = 0; k < count; ++k) {
 		cni_contact *c = w->pair[k].contact;
 		cni_touch *t = &w->touch[k];
 		w->column[k] = COLUMN_DONE;
@@ -262,7 +258,6 @@ static void window_begin(const cn_world *world, window *w, int32_t count, float 
 static int32_t window_finish(cn_world *world, window *w, int32_t k, float dt)
 {
 	cni_touch *t = &w->touch[k];
-	int32_t change;
 	if (w->column[k] == COLUMN_DONE)
 		return w->change[k];
 	if (w->column[k] == COLUMN_NONE)
@@ -270,7 +265,7 @@ static int32_t window_finish(cn_world *world, window *w, int32_t k, float dt)
 	else if (has_kernel(w) && w->column[k] >= 0)
 		cni_batch_read(&w->batch, w->column[k], &t->in, &t->contact->cache, &t->result.manifold);
 	cni_touch_finish(world, motion_time(t->contact, dt), t);
-	change = contact_update(world, w->pair[k].index, t);
+	int32_t change = contact_update(world, w->pair[k].index, t);
 	if (change == CHANGE_BEGIN && w->store != NULL && !(t->contact->flags & CNI_CONTACT_SENSOR) && cni_begun_keep(w->store, t))
 		return CHANGE_BEGIN_KEPT;
 	return change;
@@ -278,11 +273,10 @@ static int32_t window_finish(cn_world *world, window *w, int32_t k, float dt)
 
 static void window_collide(cn_world *world, window *w, int32_t count, float dt)
 {
-	int32_t k;
 	window_begin(world, w, count, dt);
 	if (has_kernel(w))
 		cni_batch_run(&w->batch, w->kernel);
-	for (k = 0; k < count; ++k)
+	for (int32_t k = 0; k < count; ++k)
 		w->change[k] = window_finish(world, w, k, dt);
 }
 
@@ -318,8 +312,7 @@ static void change_add(cn_world *world, change_list *list, int32_t contact, int3
 /* Prefetches what linking and unlinking a contact writes: its neighbours in its bodies' lists. Its record was prefetched before. */
 CNI_INLINE void neighbours_prefetch(const cn_world *world, const cni_contact *c)
 {
-	int32_t side;
-	for (side = 0; side < 2; ++side) {
+	for (int32_t side = 0; side < 2; ++side) {
 		CNI_PREFETCH(&cni_body_at(world, c->body[side])->contact_first);
 		if (c->next[side] != CNI_NONE)
 			CNI_PREFETCH(cni_contact_of_key(world, c->next[side])->prev);
@@ -341,8 +334,7 @@ CNI_INLINE void changes_prefetch(const cn_world *world, const change_list *list,
 
 static void changes_apply(cn_world *world, const change_list *list, cni_begun_store *store, float dt)
 {
-	int32_t k;
-	for (k = 0; k < list->count; ++k) {
+	for (int32_t k = 0; k < list->count; ++k) {
 		changes_prefetch(world, list, k);
 		if ((list->items[k] & 7u) != CHANGE_NONE)
 			change_apply(world, (int32_t)(list->items[k] >> 3), (int32_t)(list->items[k] & 7u), store, dt);
@@ -377,7 +369,7 @@ static void collide_range(void *context, int32_t begin, int32_t end)
 	collide_loop *loop = (collide_loop *)context;
 	cn_world *world = loop->list.world;
 	uint32_t changed = 0;
-	int32_t k, count;
+	int32_t count;
 	cni_cull cull;
 	window w;
 	window_init(&w, world, loop->changes == NULL);
@@ -386,7 +378,7 @@ static void collide_range(void *context, int32_t begin, int32_t end)
 	cni_cull_begin(&cull, &loop->list, range_begin(&loop->list, begin), range_begin(&loop->list, end));
 	while ((count = cni_cull_next(&cull, w.pair, WINDOW)) > 0) {
 		window_collide(world, &w, count, loop->list.dt);
-		for (k = 0; k < count; ++k) {
+		for (int32_t k = 0; k < count; ++k) {
 			if (loop->changes != NULL)
 				loop->changes[w.pair[k].place] = (uint8_t)w.change[k];
 			else if (w.change[k] != CHANGE_NONE)
@@ -411,11 +403,11 @@ static void mark_list(const collide_loop *loop, change_list *changes, int32_t k)
 /* Lists the changes. Few contacts have one. */
 static void changes_list(const collide_loop *loop, change_list *changes)
 {
-	int32_t count = loop->list.count, k = 0, l;
+	int32_t count = loop->list.count, k = 0;
 	uint64_t eight;
 	for (; k + 8 <= count; k += 8) {
 		memcpy(&eight, loop->changes + k, 8);
-		for (l = k; l < k + 8 && eight != 0; ++l)
+		for (int32_t l = k; l < k + 8 && eight != 0; ++l)
 			mark_list(loop, changes, l);
 	}
 	for (; k < count; ++k)
@@ -425,9 +417,8 @@ static void changes_list(const collide_loop *loop, change_list *changes)
 /* Collides the window, whose contacts are those of the given items, and stores their changes in the items. */
 static void items_collide(cn_world *world, window *w, const int32_t *items, const change_list *changes, float dt)
 {
-	int32_t k;
 	window_collide(world, w, w->count, dt);
-	for (k = 0; k < w->count; ++k)
+	for (int32_t k = 0; k < w->count; ++k)
 		changes->items[items[k]] = (uint32_t)w->pair[k].index << 3 | (uint32_t)w->change[k];
 	w->count = 0;
 }
@@ -435,9 +426,9 @@ static void items_collide(cn_world *world, window *w, const int32_t *items, cons
 static void deferred_collide(cn_world *world, const change_list *changes, float dt)
 {
 	window w;
-	int32_t items[WINDOW], k;
+	int32_t items[WINDOW];
 	window_init(&w, world, 1);
-	for (k = 0; k < changes->count; ++k) {
+	for (int32_t k = 0; k < changes->count; ++k) {
 		int32_t contact = (int32_t)(changes->items[k] >> 3);
 		if ((changes->items[k] & 7u) != CHANGE_DEFERRED)
 			continue;

@@ -27,8 +27,7 @@ static void pair_retry_later(cn_world *world, const cni_pair *pair)
 /* Extends the boxes of bodies whose velocity the user set since the last step. */
 static void kicked_extend_boxes(cn_world *world, float dt)
 {
-	int32_t k;
-	for (k = 0; k < world->kicked.count; ++k) {
+	for (int32_t k = 0; k < world->kicked.count; ++k) {
 		int32_t body = cni_handles_find(&world->body_handles, ((const cn_body *)world->kicked.data)[k]);
 		cni_body *b = body == CNI_NONE ? NULL : cni_body_at(world, body);
 		if (b == NULL)
@@ -58,8 +57,7 @@ static int32_t pair_repeats(const cn_world *world, const cni_pair *pair, const c
 /* Bodies that are not awake keep their mark, which costs lookups only. */
 static void marks_clear(const cn_world *world)
 {
-	int32_t k;
-	for (k = 1; k < world->awake_count; ++k)
+	for (int32_t k = 1; k < world->awake_count; ++k)
 		cni_body_at(world, cni_awake_ids(world)[k])->flags &= ~(uint32_t)CNI_BODY_AGAIN;
 }
 
@@ -69,8 +67,8 @@ static void marks_clear(const cn_world *world)
    touched ones are found again, and CNI_PAIRS_CROWDED while others wait. */
 static int32_t crowd_turn(cn_world *world)
 {
-	int32_t id, found = 0;
-	for (id = 0; id < world->proxy_used; ++id) {
+	int32_t found = 0;
+	for (int32_t id = 0; id < world->proxy_used; ++id) {
 		if ((cni_proxy_at(world, id)->flags & (CNI_PROXY_ALIVE | CNI_PROXY_CROWDED)) != (CNI_PROXY_ALIVE | CNI_PROXY_CROWDED))
 			continue;
 		cni_body_wake(world, cni_shape_at(world, cni_proxy_at(world, id)->shape)->body);
@@ -164,8 +162,7 @@ CNI_INLINE void shapes_find(pairs_loop *loop, int32_t k)
 CNI_INLINE void bodies_find(pairs_loop *loop, int32_t k)
 {
 	pair_members *m = members_of(loop, k);
-	int32_t side;
-	for (side = 0; side < 2 && k < loop->count; ++side) {
+	for (int32_t side = 0; side < 2 && k < loop->count; ++side) {
 		m->body[side] = cni_body_at(loop->world, m->shape[side]->body);
 		CNI_PREFETCH(&m->body[side]->flags);
 		CNI_PREFETCH(&m->body[side]->contact_first);
@@ -175,8 +172,7 @@ CNI_INLINE void bodies_find(pairs_loop *loop, int32_t k)
 CNI_INLINE void heads_prefetch(pairs_loop *loop, int32_t k)
 {
 	const pair_members *m = members_of(loop, k);
-	int32_t side;
-	for (side = 0; side < 2 && k < loop->count; ++side)
+	for (int32_t side = 0; side < 2 && k < loop->count; ++side)
 		if (m->body[side]->contact_first != CNI_NONE)
 			CNI_PREFETCH(cni_contact_of_key(loop->world, m->body[side]->contact_first)->prev);
 }
@@ -199,15 +195,14 @@ static void pair_add(cn_world *world, const cni_pair *pair, const pair_members *
 static void pairs_add(cn_world *world, int32_t may_repeat)
 {
 	pairs_loop loop;
-	int32_t k;
 	loop.world = world;
 	loop.list = (const cni_pair *)world->pairs.list.data;
 	loop.count = world->pairs.list.count;
-	for (k = 0; k < SHAPES_AHEAD; ++k)
+	for (int32_t k = 0; k < SHAPES_AHEAD; ++k)
 		shapes_find(&loop, k);
-	for (k = 0; k < BODIES_AHEAD; ++k)
+	for (int32_t k = 0; k < BODIES_AHEAD; ++k)
 		bodies_find(&loop, k);
-	for (k = 0; k < loop.count; ++k) {
+	for (int32_t k = 0; k < loop.count; ++k) {
 		shapes_find(&loop, k + SHAPES_AHEAD);
 		bodies_find(&loop, k + BODIES_AHEAD);
 		heads_prefetch(&loop, k + HEADS_AHEAD);

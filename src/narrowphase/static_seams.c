@@ -27,16 +27,14 @@ static float neighbour_add_seams(void *context, int32_t proxy, float limit)
 	const cn_world *world = s->world;
 	const cni_proxy *p = cni_proxy_at(world, proxy), *own = cni_proxy_at(world, s->proxy);
 	const cni_shape *shape = cni_shape_at(world, p->shape), *own_shape = cni_shape_at(world, own->shape);
-	const cni_body *a, *b;
-	const cni_geometry *g;
 	float slop = world->settings.slop;
 	if (proxy == s->proxy || (shape->body != own_shape->body && !(p->flags & own->flags & CNI_PROXY_STATIC)))
 		return limit;
-	g = cni_proxy_geometry(&world->blocks, p);
+	const cni_geometry *g = cni_proxy_geometry(&world->blocks, p);
 	if (!cni_seams_possible(g, slop) || !stop_the_same(shape, own_shape))
 		return limit;
-	a = cni_body_at(world, own_shape->body);
-	b = cni_body_at(world, shape->body);
+	const cni_body *a = cni_body_at(world, own_shape->body);
+	const cni_body *b = cni_body_at(world, shape->body);
 	s->geometry->seams |= cni_seams_between(s->geometry, g, cni_body_b_in_a(a, b, cni_body_a_to_b(a, b)), slop);
 	return limit;
 }

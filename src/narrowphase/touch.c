@@ -61,9 +61,9 @@ static float closing_at(const cni_manifold *out, int32_t k, const cni_pair_motio
    separating axis. Returns the least separation kept. */
 static float drop_unreached(cni_manifold *out, const cni_pair_motion *m, const cni_body *a, cni_vec2 b_center, float margin, float dt)
 {
-	int32_t k, kept = 0;
+	int32_t kept = 0;
 	float nearest = FLT_MAX;
-	for (k = 0; k < out->count; ++k) {
+	for (int32_t k = 0; k < out->count; ++k) {
 		float separation = out->points[k].separation;
 		if (separation > margin && separation > margin + cni_max(closing_at(out, k, m, a, b_center), 0.0f) * dt)
 			continue;
@@ -80,8 +80,7 @@ static float drop_unreached(cni_manifold *out, const cni_pair_motion *m, const c
 static float depth_ahead(const cni_manifold *out, const cni_pair_motion *m, const cni_body *a, cni_vec2 b_center, float least, float dt)
 {
 	float depth = 0.0f;
-	int32_t k;
-	for (k = 0; k < out->count; ++k) {
+	for (int32_t k = 0; k < out->count; ++k) {
 		if (out->points[k].separation <= least)
 			return 0.0f;
 		depth = cni_max(depth, closing_at(out, k, m, a, b_center) * dt - cni_max(out->points[k].separation, 0.0f));
@@ -100,7 +99,6 @@ static int32_t shadows_graze(const cni_manifold_input *in, const cni_pair_motion
 	float speed = cni_length(m->v), hair = 0.1f * in->slop, most;
 	float turn = dt * (cni_abs(m->wa) * (a->extent - in->a->radius) + cni_abs(m->wb) * (b->extent - in->b->radius));
 	cni_transform along, b_along;
-	cni_aabb box_a, box_b;
 	if (speed * dt <= hair || turn > in->slop)
 		return 0;
 	along.q.c = m->v.x / speed; /* turns the motion to +x: the projections are intervals of y */
@@ -108,8 +106,8 @@ static int32_t shadows_graze(const cni_manifold_input *in, const cni_pair_motion
 	along.t = cni_v(0.0f, 0.0f);
 	b_along.q = cni_rot_mul(along.q, in->b_in_a.q);
 	b_along.t = cni_rotate(along.q, in->b_in_a.t);
-	box_a = cni_geometry_aabb(in->a, in->child_a, along);
-	box_b = cni_geometry_aabb(in->b, in->child_b, b_along);
+	cni_aabb box_a = cni_geometry_aabb(in->a, in->child_a, along);
+	cni_aabb box_b = cni_geometry_aabb(in->b, in->child_b, b_along);
 	most = depth > hair ? cni_min(in->slop, 0.5f * thinner_radius(in)) : -hair; /* a thin shape that moves end first does not graze */
 	return cni_min(box_a.y1, box_b.y1) - cni_max(box_a.y0, box_b.y0) + turn <= most;
 }
@@ -136,19 +134,17 @@ static void meet(const cn_world *world, const cni_body *a, const cni_body *b, co
 	cni_manifold_input in = *near;
 	cni_manifold_cache cache = { 0, { 0, 0, 0 } };
 	cni_vec2 from = cni_v(a->cx, a->cy);
-	cni_transform xa, xb, a_now, b_now;
 	const cni_motion *motions = cni_motions(world);
 	cni_path path_a = path_ahead(a, from, &motions[a->awake], dt), path_b = path_ahead(b, from, &motions[b->awake], dt);
 	float slop = world->settings.slop;
 	cni_toi_input toi = { in.a, in.b, in.child_a, in.child_b, path_a, path_b, 0.5f * slop, 0.25f * slop };
 	cni_toi_result hit = cni_toi(&toi);
-	int32_t k;
 	if (hit.state == CNI_TOI_SEPARATED)
 		out->result.manifold.count = 0;
 	if (hit.state != CNI_TOI_HIT)
 		return;
-	xa = cni_path_at(&path_a, hit.fraction);
-	xb = cni_path_at(&path_b, hit.fraction);
+	cni_transform xa = cni_path_at(&path_a, hit.fraction);
+	cni_transform xb = cni_path_at(&path_b, hit.fraction);
 	in.b_in_a.q = cni_rot_between(xa.q, xb.q);
 	in.b_in_a.t = cni_untransform_point(xa, xb.t);
 	in.margin = world->settings.contact_margin;
@@ -156,10 +152,10 @@ static void meet(const cn_world *world, const cni_body *a, const cni_body *b, co
 	mend_seams(world, &in, cni_mul((1.0f - hit.fraction) * dt, out->motion.v), &out->result.manifold);
 	if (out->result.manifold.count == 0)
 		return;
-	a_now = cni_path_at(&path_a, 0.0f);
-	b_now = cni_path_at(&path_b, 0.0f);
+	cni_transform a_now = cni_path_at(&path_a, 0.0f);
+	cni_transform b_now = cni_path_at(&path_b, 0.0f);
 	out->result.manifold.normal = cni_unrotate(a_now.q, cni_rotate(xa.q, out->result.manifold.normal));
-	for (k = out->result.manifold.count - 1; k >= 0; --k) { /* the gap of the first point stays */
+	for (int32_t k = out->result.manifold.count - 1; k >= 0; --k) { /* the gap of the first point stays */
 		cni_manifold_point *p = &out->result.manifold.points[k];
 		cni_vec2 on_b = cni_untransform_point(in.b_in_a, p->point);
 		cni_vec2 apart = cni_sub(cni_transform_point(b_now, on_b), cni_transform_point(a_now, p->point));
@@ -192,7 +188,6 @@ static cni_vec2 centers_apart(const cn_world *world, const cni_touch_pair *p, cn
 int32_t cni_touch_begin(const cn_world *world, const cni_touch_pair *p, float dt, cni_touch *out)
 {
 	const cni_body *a = p->body[0], *b = p->body[1];
-	cni_vec2 centers;
 	out->contact = p->contact;
 	out->a = a;
 	out->b = b;
@@ -201,7 +196,7 @@ int32_t cni_touch_begin(const cn_world *world, const cni_touch_pair *p, float dt
 	out->result.manifold.count = 0;
 	if (!out->boxes_overlap)
 		return 0;
-	centers = centers_apart(world, p, cni_body_a_to_b(a, b));
+	cni_vec2 centers = centers_apart(world, p, cni_body_a_to_b(a, b));
 	out->motion = motion_make(a, b, dt);
 	out->in.a = cni_proxy_geometry(&world->blocks, p->proxy[0]);
 	out->in.b = cni_proxy_geometry(&world->blocks, p->proxy[1]);
@@ -227,14 +222,13 @@ void cni_touch_finish(const cn_world *world, float dt, cni_touch *out)
 	const cni_body *a = out->a, *b = out->b;
 	const cni_pair_motion *m = &out->motion;
 	float margin = m->margin, nearest, least, sooner, later;
-	cni_vec2 b_center;
 	if (out->result.manifold.count == 0)
 		return; /* in may be empty */
 	if (CNI_ON(SEAMS) && (out->in.a->seams | out->in.b->seams) != 0 && !(out->contact->flags & CNI_CONTACT_SENSOR))
 		mend_seams(world, &out->in, cni_mul(dt, m->v), &out->result.manifold);
 	if (out->result.manifold.count == 0)
 		return;
-	b_center = cni_transform_point(out->in.b_in_a, b->local_center);
+	cni_vec2 b_center = cni_transform_point(out->in.b_in_a, b->local_center);
 	least = out->contact->flags & CNI_CONTACT_TOUCHING ? 0.0f : -out->in.slop;
 	later = depth_ahead(&out->result.manifold, m, a, b_center, least, dt + dt / (float)world->settings.substeps);
 	if (later > 0.0f && CNI_ON(SPECULATIVE_MISSES)) {

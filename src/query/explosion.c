@@ -38,10 +38,9 @@ static float explosion_visit(void *context, int32_t proxy, float limit)
 {
 	explosion *e = (explosion *)context;
 	cni_query_target t;
-	cni_nearest n;
 	if (!cni_query_target_of(e->sight, proxy, &t) || cni_sight_hides_one_way(e->sight, t.shape) || t.body->type != CN_BODY_DYNAMIC)
 		return limit;
-	n = cni_geometry_nearest(t.geometry, t.child, cni_body_to_local(t.body, e->def->center_m));
+	cni_nearest n = cni_geometry_nearest(t.geometry, t.child, cni_body_to_local(t.body, e->def->center_m));
 	if (n.distance > e->def->radius_m + e->def->falloff_m || cni_sight_ask_target(e->sight, &t) == CN_QUERY_SKIP)
 		return limit;
 	if (e->keys != NULL && e->count == e->capacity)
@@ -137,10 +136,9 @@ static void apply(explosion *e)
 
 static void check_def(cni_call *call, const cn_explosion_def *def)
 {
-	float limit;
 	if (!cni_check_def(call, def, sizeof *def, "cn_explosion_def_init"))
 		return;
-	limit = CNI_POSITION_MAX_UNITS * call->world->settings.length_unit;
+	float limit = CNI_POSITION_MAX_UNITS * call->world->settings.length_unit;
 	cni_check_range(call, "radius_m", def->radius_m, 0.0f, limit);
 	cni_check_range(call, "falloff_m", def->falloff_m, 0.0f, limit);
 	cni_check_finite(call, "impulse_Nspm", def->impulse_Nspm);
@@ -152,7 +150,6 @@ cn_result cn_world_explode(cn_world *world, const cn_explosion_def *def)
 	cni_call call = cni_enter(world, __func__);
 	cni_sight sight;
 	explosion e = { world, def, &sight, NULL, 0, 0 };
-	uint64_t *keys;
 	check_def(&call, def);
 	sight = cni_check_filter(&call, call.result == CN_OK ? &def->filter : NULL);
 	if (call.result != CN_OK)
@@ -160,7 +157,7 @@ cn_result cn_world_explode(cn_world *world, const cn_explosion_def *def)
 	find_pieces(&e, NULL);
 	if (e.count == 0)
 		return CN_OK;
-	keys = (uint64_t *)cni_arena_push(&world->arena, (uint64_t)e.count * 2u * sizeof(uint64_t));
+	uint64_t *keys = (uint64_t *)cni_arena_push(&world->arena, (uint64_t)e.count * 2u * sizeof(uint64_t));
 	if (keys == NULL)
 		return cni_refuse(&call, CN_ERROR_MEMORY, "no memory for the list of shapes");
 	find_pieces(&e, keys);

@@ -84,12 +84,11 @@ static cni_region core_of(const cni_region *full, const cni_geometry *g, float s
 {
 	cni_region core = *full;
 	float scale = 1.0f - cni_min(skin / cni_max(g->inner_radius, skin), 0.5f);
-	int32_t k;
 	if (full->radius > 0.0f) {
 		core.radius -= cni_min(skin, 0.5f * full->radius);
 		return core;
 	}
-	for (k = 0; k < core.count; ++k)
+	for (int32_t k = 0; k < core.count; ++k)
 		core.points[k] = cni_madd(core.center, scale, cni_sub(core.points[k], core.center));
 	return core;
 }
@@ -176,11 +175,10 @@ static int32_t surface_normal(const cni_move *m, cni_vec2 point, cni_vec2 normal
 	float beside = BESIDE_PER_SLOP * m->world->settings.slop;
 	cni_vec2 level = cni_madd(normal, -cni_dot(normal, m->up), m->up);
 	cni_vec2 from = cni_madd(cni_madd(point, -beside, cni_normalize(level)), 3.0f * beside, m->up);
-	cn_ray_hit behind;
 	*out = normal;
 	if (!(cni_length(level) > LEVEL_SINE))
 		return 1;
-	behind = cni_ray_cast(&m->sight, from, cni_mul(-6.0f * beside, m->up));
+	cn_ray_hit behind = cni_ray_cast(&m->sight, from, cni_mul(-6.0f * beside, m->up));
 	if (!is_walkable(m, &behind) || !(behind.fraction > 0.0f))
 		return 0;
 	*out = behind.normal;
@@ -202,8 +200,7 @@ static void ground_take(cni_move *m, const cn_plane *p)
 static int32_t ground_of_planes(cni_move *m, cni_vec2 v)
 {
 	const cn_plane *best = NULL;
-	int32_t k;
-	for (k = 0; k < m->planes.count; ++k) {
+	for (int32_t k = 0; k < m->planes.count; ++k) {
 		const cn_plane *p = &m->planes.at[k];
 		float height = cni_dot(p->normal, m->up);
 		float leaving = cni_dot(p->normal, cni_sub(v, cni_mover_velocity_at(m->world, p->body, p->point_m)));
@@ -221,8 +218,8 @@ static int32_t ground_of_planes(cni_move *m, cni_vec2 v)
 static cni_vec2 foot(const cni_move *m)
 {
 	cni_vec2 low = m->full.points[0];
-	int32_t k, equals = 1;
-	for (k = 1; k < m->full.count; ++k) {
+	int32_t equals = 1;
+	for (int32_t k = 1; k < m->full.count; ++k) {
 		float rise = cni_dot(m->up, cni_sub(m->full.points[k], low));
 		if (rise < -m->margin) {
 			low = m->full.points[k];
@@ -257,13 +254,12 @@ static int32_t ground_snap(cni_move *m)
 static int32_t step_lands(cni_move *m, cni_vec2 start, float way, cn_ray_hit *hit, cni_vec2 *normal)
 {
 	float step = m->def->step_height_m, feet = cni_dot(m->up, cni_sub(foot(m), m->mover->position_m)), rise, forward;
-	cni_vec2 lifted, down;
 	cni_move_place(m, start);
 	rise = step * cni_region_cast(&m->sight, &m->core, cni_mul(step, m->up)).fraction;
-	lifted = cni_madd(start, rise, m->up);
+	cni_vec2 lifted = cni_madd(start, rise, m->up);
 	cni_move_place(m, lifted);
 	forward = way * cni_region_cast(&m->sight, &m->core, cni_mul(way, m->right)).fraction;
-	down = cni_mul(-(rise + m->def->snap_m), m->up);
+	cni_vec2 down = cni_mul(-(rise + m->def->snap_m), m->up);
 	cni_move_place(m, cni_madd(lifted, forward, m->right));
 	*hit = cni_region_cast(&m->sight, &m->full, down);
 	if (hit->shape == 0 || cni_dot(m->up, cni_sub(hit->point_m, start)) - feet > step + m->skin)
@@ -297,21 +293,19 @@ static int32_t ground_step(cni_move *m, cni_vec2 start, float way, float progres
 static void push(const cni_move *m, const cn_plane *p, cni_vec2 velocity)
 {
 	const cni_body *b = cni_body_at(m->world, cni_body_index(m->world, p->body));
-	cni_vec2 force;
 	float closing = cni_dot(cni_sub(cni_mover_velocity_at(m->world, p->body, p->point_m), velocity), p->normal);
 	float lever = cni_cross(cni_body_arm(b, p->point_m), p->normal), yields;
 	if (b->type != CN_BODY_DYNAMIC || !(closing > 0.0f) || !(m->def->push_force_N > 0.0f))
 		return;
 	yields = 1.0f / b->mass + (b->inertia > 0.0f ? lever * lever / b->inertia : 0.0f);
-	force = cni_mul(-cni_min(closing / (yields * m->dt), m->def->push_force_N), p->normal);
+	cni_vec2 force = cni_mul(-cni_min(closing / (yields * m->dt), m->def->push_force_N), p->normal);
 	(void)cn_body_apply_force_at(m->world, p->body, force.x, force.y, p->point_m.x, p->point_m.y);
 }
 
 static void push_all(const cni_move *m, cni_vec2 velocity)
 {
-	int32_t k;
 	--m->world->locked;
-	for (k = 0; k < m->planes.count; ++k)
+	for (int32_t k = 0; k < m->planes.count; ++k)
 		push(m, &m->planes.at[k], velocity);
 	++m->world->locked;
 }
@@ -322,8 +316,7 @@ static void push_all(const cni_move *m, cni_vec2 velocity)
 static cni_vec2 clip(const cni_move *m, cni_vec2 v)
 {
 	float speeds[CNI_MOVER_PLANES_MAX];
-	int32_t k;
-	for (k = 0; k < m->planes.count; ++k) {
+	for (int32_t k = 0; k < m->planes.count; ++k) {
 		const cn_plane *p = &m->planes.at[k];
 		speeds[k] = cni_dot(p->normal, cni_mover_velocity_at(m->world, p->body, p->point_m));
 	}
@@ -332,9 +325,8 @@ static cni_vec2 clip(const cni_move *m, cni_vec2 v)
 
 static void note_walls(const cni_move *m)
 {
-	int32_t k;
 	m->mover->flags &= ~(uint32_t)(CN_MOVER_ON_WALL | CN_MOVER_ON_CEILING);
-	for (k = 0; k < m->planes.count; ++k) {
+	for (int32_t k = 0; k < m->planes.count; ++k) {
 		float height = cni_dot(m->planes.at[k].normal, m->up);
 		if (height < -CEILING_SINE)
 			m->mover->flags |= CN_MOVER_ON_CEILING;

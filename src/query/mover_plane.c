@@ -58,7 +58,6 @@ static void manifold_make(const plane_query *q, const cni_query_target *t, cni_m
 	cni_transform x = target_in_region(t, q->region);
 	cni_manifold_cache cache = { 0, { 0, 0, 0 } };
 	cni_manifold_input in = { &q->solid->g, t->geometry, 0, t->child, x, q->margin, q->sight->world->settings.slop };
-	int32_t k;
 	memset(out, 0, sizeof *out);
 	if (q->solid->g.type <= t->geometry->type) {
 		cni_manifold_function(in.a->type, in.b->type)(&in, &cache, out);
@@ -72,7 +71,7 @@ static void manifold_make(const plane_query *q, const cni_query_target *t, cni_m
 	in.b_in_a = cni_region_in(q->region, t->body);
 	cni_manifold_function(in.a->type, in.b->type)(&in, &cache, out);
 	out->normal = cni_rotate(x.q, out->normal);
-	for (k = 0; k < out->count; ++k)
+	for (int32_t k = 0; k < out->count; ++k)
 		out->points[k].point = cni_transform_point(x, out->points[k].point);
 }
 
@@ -98,13 +97,12 @@ static float plane_visit(void *context, int32_t proxy, float limit)
 	cni_query_target t;
 	cni_manifold m;
 	cn_plane p;
-	const cni_manifold_point *deepest;
 	if (!cni_query_target_of(q->sight, proxy, &t))
 		return limit;
 	manifold_make(q, &t, &m);
 	if (m.count == 0)
 		return limit;
-	deepest = &m.points[m.count == 2 && m.points[1].separation < m.points[0].separation];
+	const cni_manifold_point *deepest = &m.points[m.count == 2 && m.points[1].separation < m.points[0].separation];
 	memset(&p, 0, sizeof p);
 	p.normal = m.normal;
 	p.point_m = cni_add(q->region->origin, deepest->point);
@@ -124,16 +122,13 @@ static float height_over(const cn_world *world, const cni_region *region, const 
 {
 	cni_query_target t;
 	cni_vec2 storage[2];
-	cni_proxy_points set;
-	cni_transform x;
 	cni_vec2 origin = cni_sub(over->point_m, region->origin);
 	float height = -FLT_MAX;
-	int32_t k;
 	t.shape = cni_shape_at(world, cni_shape_index(world, of->shape));
 	t.body = cni_body_at(world, t.shape->body);
-	x = target_in_region(&t, region);
-	set = cni_geometry_proxy(cni_shape_geometry(&world->blocks, t.shape), of->child, storage);
-	for (k = 0; k < set.count; ++k)
+	cni_transform x = target_in_region(&t, region);
+	cni_proxy_points set = cni_geometry_proxy(cni_shape_geometry(&world->blocks, t.shape), of->child, storage);
+	for (int32_t k = 0; k < set.count; ++k)
 		height = cni_max(height, cni_dot(over->normal, cni_sub(cni_transform_point(x, set.points[k]), origin)));
 	/* The point is midway between the surfaces. */
 	return height + set.radius + 0.5f * over->separation_m;
@@ -143,8 +138,8 @@ static float height_over(const cn_world *world, const cni_region *region, const 
 static int32_t drop_hidden(const cni_sight *sight, const cni_region *region, cn_plane *planes, int32_t count)
 {
 	float touch = 0.1f * sight->world->settings.slop;
-	int32_t i, j, kept;
-	for (i = 0; i < count; ++i) {
+	int32_t j, kept;
+	for (int32_t i = 0; i < count; ++i) {
 		for (j = 0; j < count; ++j) {
 			if (j == i || planes[j].push_max_m < 0.0f)
 				continue;
@@ -154,7 +149,7 @@ static int32_t drop_hidden(const cni_sight *sight, const cni_region *region, cn_
 		if (j < count)
 			planes[i].push_max_m = -1.0f; /* marked */
 	}
-	for (i = kept = 0; i < count; ++i)
+	for (int32_t i = kept = 0; i < count; ++i)
 		if (planes[i].push_max_m >= 0.0f)
 			planes[kept++] = planes[i];
 	return kept;
@@ -182,8 +177,7 @@ static float height_at(const cn_plane *p, cni_vec2 x)
 /* The wanted point, moved by all pushes. */
 static cni_vec2 pushed(const cn_plane *planes, int32_t count, cni_vec2 wanted)
 {
-	int32_t i;
-	for (i = 0; i < count; ++i)
+	for (int32_t i = 0; i < count; ++i)
 		wanted = cni_madd(wanted, planes[i].push_m, planes[i].normal);
 	return wanted;
 }
@@ -192,8 +186,7 @@ static cni_vec2 pushed(const cn_plane *planes, int32_t count, cni_vec2 wanted)
 static float overlap_at(const cn_plane *planes, int32_t count, cni_vec2 x)
 {
 	float overlap = 0.0f;
-	int32_t i;
-	for (i = 0; i < count; ++i)
+	for (int32_t i = 0; i < count; ++i)
 		if (planes[i].push_m < planes[i].push_max_m)
 			overlap = cni_max(overlap, -height_at(planes + i, x));
 	return overlap;
@@ -204,12 +197,11 @@ static cni_vec2 compromise(cn_plane *planes, int32_t count, cni_vec2 wanted)
 {
 	float share = 1.0f / (float)count;
 	cni_vec2 x = wanted;
-	int32_t i, k;
-	for (i = 0; i < count; ++i)
+	for (int32_t i = 0; i < count; ++i)
 		planes[i].push_m = 0.0f;
-	for (k = 0; k < SHARES_MAX; ++k) {
+	for (int32_t k = 0; k < SHARES_MAX; ++k) {
 		cni_vec2 from = x;
-		for (i = 0; i < count; ++i)
+		for (int32_t i = 0; i < count; ++i)
 			planes[i].push_m = cni_min(planes[i].push_m + share * cni_max(-height_at(planes + i, from), 0.0f), planes[i].push_max_m);
 		x = pushed(planes, count, wanted);
 	}
@@ -227,13 +219,11 @@ typedef struct held {
 /* Takes a candidate that is nearer, if no unsaturated plane forbids it. */
 static void held_try(held *best, const cn_plane *planes, int32_t count, cni_vec2 wanted, float size, held candidate)
 {
-	float tolerance;
-	int32_t k;
 	candidate.distance_sq = cni_distance_sq(candidate.x, wanted);
 	if (!(candidate.push_i >= 0.0f && candidate.push_j >= 0.0f && candidate.distance_sq < best->distance_sq))
 		return;
-	tolerance = ROUNDING * (size + cni_sqrt(candidate.distance_sq));
-	for (k = 0; k < count; ++k)
+	float tolerance = ROUNDING * (size + cni_sqrt(candidate.distance_sq));
+	for (int32_t k = 0; k < count; ++k)
 		if (!(planes[k].push_m > 0.0f) && height_at(planes + k, candidate.x) < -tolerance)
 			return;
 	*best = candidate;
@@ -260,16 +250,15 @@ static held held_find(const cn_plane *planes, int32_t count, cni_vec2 wanted, fl
 {
 	held best = { wanted, CNI_NONE, CNI_NONE, 0.0f, 0.0f, FLT_MAX };
 	held candidate = { wanted, CNI_NONE, CNI_NONE, 0.0f, 0.0f, 0.0f };
-	int32_t i, j;
 	held_try(&best, planes, count, wanted, size, candidate);
-	for (i = 0; i < count && best.distance_sq > 0.0f; ++i) {
+	for (int32_t i = 0; i < count && best.distance_sq > 0.0f; ++i) {
 		if (planes[i].push_m > 0.0f)
 			continue;
 		candidate.i = i;
 		candidate.push_i = -height_at(planes + i, wanted);
 		candidate.x = cni_madd(wanted, candidate.push_i, planes[i].normal);
 		held_try(&best, planes, count, wanted, size, candidate);
-		for (j = 0; j < i; ++j)
+		for (int32_t j = 0; j < i; ++j)
 			held_try_pair(&best, planes, count, wanted, size, i, j);
 	}
 	return best;
@@ -279,16 +268,16 @@ static held held_find(const cn_plane *planes, int32_t count, cni_vec2 wanted, fl
    itself, minus its earlier excess. Sets push_m of the saturated planes, and 0 for all others. */
 static void saturate(cn_plane *planes, int32_t count, cni_vec2 x)
 {
-	int32_t i, k, bounded = 0;
-	for (i = 0; i < count; ++i)
+	int32_t bounded = 0;
+	for (int32_t i = 0; i < count; ++i)
 		bounded |= planes[i].push_max_m < FLT_MAX;
-	for (k = 0; k < SWEEPS_MAX && bounded; ++k)
-		for (i = 0; i < count; ++i) {
+	for (int32_t k = 0; k < SWEEPS_MAX && bounded; ++k)
+		for (int32_t i = 0; i < count; ++i) {
 			float push = cni_clamp(planes[i].push_m - height_at(planes + i, x), 0.0f, planes[i].push_max_m);
 			x = cni_madd(x, push - planes[i].push_m, planes[i].normal);
 			planes[i].push_m = push;
 		}
-	for (i = 0; i < count; ++i)
+	for (int32_t i = 0; i < count; ++i)
 		planes[i].push_m = bounded && planes[i].push_m >= planes[i].push_max_m ? cni_max(planes[i].push_max_m, FLT_MIN) : 0.0f;
 }
 
@@ -305,8 +294,7 @@ static int32_t saturate_held(cn_plane *planes, int32_t i, float push)
 static int32_t release(cn_plane *planes, int32_t count, cni_vec2 x, float tolerance)
 {
 	cn_plane *most = NULL;
-	int32_t i;
-	for (i = 0; i < count; ++i)
+	for (int32_t i = 0; i < count; ++i)
 		if (planes[i].push_m > 0.0f && height_at(planes + i, x) > (most == NULL ? tolerance : height_at(most, x)))
 			most = planes + i;
 	if (most != NULL)
@@ -320,8 +308,8 @@ static cni_vec2 planes_solve(cn_plane *planes, int32_t count, cni_vec2 wanted, f
 	float size = cni_length(wanted);
 	cni_vec2 x;
 	held found;
-	int32_t i, changes = 0;
-	for (i = 0; i < count; ++i) {
+	int32_t changes = 0;
+	for (int32_t i = 0; i < count; ++i) {
 		planes[i].push_m = 0.0f;
 		size = cni_max(size, cni_abs(planes[i].separation_m));
 	}
@@ -348,8 +336,7 @@ cni_vec2 cni_planes_clip(const cn_plane *planes, const float *speeds, int32_t co
 {
 	cn_plane rigid[CN_PLANES_MAX];
 	float overlap;
-	int32_t i;
-	for (i = 0; i < count; ++i) {
+	for (int32_t i = 0; i < count; ++i) {
 		rigid[i] = planes[i];
 		rigid[i].separation_m = -speeds[i];
 		rigid[i].push_max_m = FLT_MAX;
@@ -380,8 +367,7 @@ static void touch(cni_move *m)
 
 cni_vec2 cni_move_block_steep(const cni_move *m, cni_vec2 v)
 {
-	int32_t k;
-	for (k = 0; k < m->planes.count; ++k) {
+	for (int32_t k = 0; k < m->planes.count; ++k) {
 		cni_vec2 normal = m->planes.at[k].normal;
 		float height = cni_dot(normal, m->up), into;
 		cni_vec2 level = cni_normalize(cni_madd(normal, -height, m->up));
@@ -398,9 +384,7 @@ void cni_move_slide(cni_move *m, cni_vec2 translation)
 {
 	cni_vec2 target = cni_add(m->mover->position_m, translation);
 	float least = MOVED_PER_SLOP * m->world->settings.slop;
-	int32_t k;
-	for (k = 0; k <= m->def->iterations_max; ++k) {
-		cn_ray_hit hit;
+	for (int32_t k = 0; k <= m->def->iterations_max; ++k) {
 		cni_vec2 wanted = cni_sub(target, m->mover->position_m);
 		if (k == m->def->iterations_max) /* only out of the surfaces that the last round hit */
 			wanted = cni_v(0.0f, 0.0f);
@@ -410,7 +394,7 @@ void cni_move_slide(cni_move *m, cni_vec2 translation)
 			cni_move_place(m, cni_add(m->mover->position_m, wanted));
 			return;
 		}
-		hit = cni_region_cast(&m->sight, &m->core, wanted);
+		cn_ray_hit hit = cni_region_cast(&m->sight, &m->core, wanted);
 		cni_move_place(m, cni_madd(m->mover->position_m, hit.fraction, wanted));
 	}
 	touch(m);
@@ -426,14 +410,13 @@ cn_result cn_mover_collide(const cn_world *world, const cn_polygon *shape, float
 	cni_sight sight = cni_check_filter(&call, filter);
 	cni_region region;
 	cni_solid solid;
-	cn_polygon from_origin;
 	cni_check_region(&call, shape, &region);
 	cni_check_position(&call, "position_m", position);
 	cni_check_range(&call, "margin_m", margin_m, 0.0f, CNI_COORDINATE_MAX);
 	cni_check_output(&call, out, capacity, out_count);
 	if (call.result != CN_OK)
 		return call.result;
-	from_origin = cni_region_polygon(&region);
+	cn_polygon from_origin = cni_region_polygon(&region);
 	cni_solid_make(&from_origin, &solid);
 	region.origin = cni_add(region.origin, position);
 	sight.without = CN_SHAPE_SENSOR;
@@ -443,10 +426,9 @@ cn_result cn_mover_collide(const cn_world *world, const cn_polygon *shape, float
 
 static void check_planes(cni_call *call, const cn_plane *planes, int32_t count)
 {
-	int32_t i;
 	cni_check_array(call, "planes", planes, count);
 	cni_check_range_int(call, "count", count, 0, CN_PLANES_MAX);
-	for (i = 0; i < count && call->result == CN_OK; ++i) {
+	for (int32_t i = 0; i < count && call->result == CN_OK; ++i) {
 		float length_sq = cni_length_sq(planes[i].normal);
 		cni_check_range(call, "separation_m", planes[i].separation_m, -1e9f, 1e9f);
 		cni_check_at_least(call, "push_max_m", planes[i].push_max_m, 0.0f);
@@ -472,15 +454,15 @@ cn_result cn_mover_clip(const cn_plane *planes, int32_t count, float velocity_x_
 	static const float still[CN_PLANES_MAX] = { 0 };
 	cni_call call = cni_enter_free();
 	cn_plane pushed[CN_PLANES_MAX];
-	int32_t i, n = 0;
+	int32_t n = 0;
 	check_planes(&call, planes, count);
-	for (i = 0; i < count && call.result == CN_OK; ++i)
+	for (int32_t i = 0; i < count && call.result == CN_OK; ++i)
 		cni_check_finite(&call, "push_m", planes[i].push_m);
 	cni_check_within(&call, "velocity_mps", cni_v(velocity_x_mps, velocity_y_mps), 1e9f);
 	cni_check_pointer(&call, "out_mps", out_mps);
 	if (call.result != CN_OK)
 		return call.result;
-	for (i = 0; i < count; ++i)
+	for (int32_t i = 0; i < count; ++i)
 		if (planes[i].push_m > 0.0f)
 			pushed[n++] = planes[i];
 	*out_mps = cni_planes_clip(pushed, still, n, cni_v(velocity_x_mps, velocity_y_mps));

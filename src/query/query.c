@@ -37,8 +37,7 @@ cni_sight cni_check_filter(cni_call *call, const cn_query_filter *filter)
 
 static int32_t is_joined(const cn_world *world, int32_t body, int32_t to)
 {
-	int32_t key;
-	for (key = cni_body_at(world, to)->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1])
+	for (int32_t key = cni_body_at(world, to)->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1])
 		if (cni_joint_at(world, key >> 1)->body[!(key & 1)] == body)
 			return 1;
 	return 0;
@@ -122,13 +121,12 @@ void cni_check_translation(cni_call *call, cn_vec2 translation)
 
 void cni_check_region(cni_call *call, const cn_polygon *polygon, cni_region *out)
 {
-	int32_t i;
 	cni_check_pointer(call, "polygon", polygon);
 	if (call->result != CN_OK)
 		return;
 	cni_check_range_int(call, "count", polygon->count, 1, CN_POLYGON_MAX_VERTICES);
 	cni_check_range(call, "radius_m", polygon->radius_m, polygon->count < 3 ? FLT_MIN : 0.0f, CNI_COORDINATE_MAX);
-	for (i = 0; i < polygon->count && call->result == CN_OK; ++i)
+	for (int32_t i = 0; i < polygon->count && call->result == CN_OK; ++i)
 		cni_check_position(call, "points_m", polygon->points_m[i]);
 	if (call->result != CN_OK)
 		return;
@@ -136,7 +134,7 @@ void cni_check_region(cni_call *call, const cn_polygon *polygon, cni_region *out
 	out->origin = polygon->points_m[0];
 	out->count = polygon->count;
 	out->radius = polygon->radius_m;
-	for (i = 0; i < polygon->count; ++i) {
+	for (int32_t i = 0; i < polygon->count; ++i) {
 		out->points[i] = cni_sub(polygon->points_m[i], out->origin);
 		out->center = cni_madd(out->center, 1.0f / (float)polygon->count, out->points[i]);
 	}
@@ -147,8 +145,7 @@ cni_aabb cni_region_box(const cni_region *region, cni_vec2 offset)
 {
 	cni_vec2 base = cni_add(region->origin, offset);
 	cni_aabb box = { base.x, base.y, base.x, base.y };
-	int32_t i;
-	for (i = 0; i < region->count; ++i)
+	for (int32_t i = 0; i < region->count; ++i)
 		box = cni_aabb_with_point(box, cni_add(base, region->points[i]));
 	return cni_box_fatten(box, region->radius);
 }
@@ -186,8 +183,8 @@ static void first_sift_down(const cni_first *first, int32_t count)
 {
 	int32_t i = 0;
 	for (;;) {
-		int32_t last = i, child;
-		for (child = 2 * i + 1; child <= 2 * i + 2 && child < count; ++child)
+		int32_t last = i;
+		for (int32_t child = 2 * i + 1; child <= 2 * i + 2 && child < count; ++child)
 			if (first->before(first_at(first, last), first_at(first, child)))
 				last = child;
 		if (last == i)
@@ -218,8 +215,7 @@ void cni_first_add(cni_first *first, const void *item)
 
 void cni_first_end(cni_first *first)
 {
-	int32_t count;
-	for (count = first->held - 1; count > 0; --count) {
+	for (int32_t count = first->held - 1; count > 0; --count) {
 		first_swap(first, 0, count);
 		first_sift_down(first, count);
 	}

@@ -212,12 +212,11 @@ cn_result cn_world_cast_rays(const cn_world *world, const cn_ray *rays, int32_t 
 {
 	cni_call call = cni_enter_const(world);
 	cni_sight sight = cni_check_filter(&call, filter);
-	int32_t k;
 	cni_check_array(&call, "rays", rays, count);
 	cni_check_array(&call, "out", out, count);
-	for (k = 0; k < count && call.result == CN_OK; ++k)
+	for (int32_t k = 0; k < count && call.result == CN_OK; ++k)
 		check_ray(&call, rays + k);
-	for (k = 0; k < count && call.result == CN_OK; ++k)
+	for (int32_t k = 0; k < count && call.result == CN_OK; ++k)
 		out[k] = cni_ray_cast(&sight, rays[k].origin_m, rays[k].translation_m);
 	return call.result;
 }
@@ -274,11 +273,10 @@ static float shape_visit(void *context, int32_t proxy, float limit)
 	cni_query_target t;
 	cni_proxy_points moving = { q->region->points, q->region->count, q->region->radius };
 	cni_cast_hit hit;
-	cni_vec2 translation;
 	cn_ray_hit made;
 	if (!sweep_may_meet(q, &cni_proxy_at(q->sight->world, proxy)->fat) || !cni_query_target_of(q->sight, proxy, &t))
 		return limit;
-	translation = cni_unrotate(t.body->q, q->translation);
+	cni_vec2 translation = cni_unrotate(t.body->q, q->translation);
 	if (!cni_cast_points(t.geometry, t.child, moving, q->region->center, cni_region_in(q->region, t.body), translation, &hit) ||
 	    !is_met(q->sight, &t, &hit, translation))
 		return limit;
@@ -299,8 +297,8 @@ cn_ray_hit cni_region_cast(const cni_sight *sight, const cni_region *region, cni
 {
 	const cn_world *world = sight->world;
 	shape_query q = { sight, region, translation, cni_region_box(region, cni_v(0.0f, 0.0f)), hit_none() };
-	int32_t k, pieces = piece_count(&q);
-	for (k = 0; k < pieces; ++k) {
+	int32_t pieces = piece_count(&q);
+	for (int32_t k = 0; k < pieces; ++k) {
 		float from = (float)k / (float)pieces, to = (float)(k + 1) / (float)pieces;
 		cni_aabb box = cni_region_box(region, cni_mul(from, translation)), end = cni_region_box(region, cni_mul(to, translation));
 		if (q.best.shape != 0 && q.best.fraction * 1.000001f < from)

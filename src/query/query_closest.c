@@ -44,12 +44,11 @@ static float closest_visit(void *context, int32_t proxy, float limit)
 	closest_query *q = (closest_query *)context;
 	const cn_world *world = q->sight->world;
 	cni_query_target t;
-	cni_nearest n;
 	if (q->best.shape != 0 && box_distance(&cni_proxy_at(world, proxy)->fat, q->point) > cni_max(q->best.distance_m, 0.0f))
 		return limit;
 	if (!cni_query_target_of(q->sight, proxy, &t) || cni_sight_hides_one_way(q->sight, t.shape))
 		return limit;
-	n = cni_geometry_nearest(t.geometry, t.child, cni_body_to_local(t.body, q->point));
+	cni_nearest n = cni_geometry_nearest(t.geometry, t.child, cni_body_to_local(t.body, q->point));
 	if (n.distance > q->distance_max || !is_closer(q, &t, n.distance) || cni_sight_ask_target(q->sight, &t) == CN_QUERY_SKIP)
 		return limit;
 	q->best = closest_make(world, &t, &n);
@@ -67,14 +66,13 @@ cn_result cn_world_closest_point(const cn_world *world, float x_m, float y_m, fl
 	cni_call call = cni_enter_const(world);
 	cni_sight sight = cni_check_filter(&call, filter);
 	closest_query q = { &sight, { x_m, y_m }, distance_max_m, { 0, 0, 0, 0.0f, { 0.0f, 0.0f }, { 0.0f, 0.0f } } };
-	float reach;
 	cni_check_position(&call, "point", q.point);
 	if (call.result == CN_OK)
 		cni_check_range(&call, "distance_max_m", distance_max_m, 0.0f, 4.0f * CNI_POSITION_MAX_UNITS * world->settings.length_unit);
 	cni_check_pointer(&call, "out", out);
 	if (call.result != CN_OK)
 		return call.result;
-	reach = cni_min(distance_max_m, world->settings.length_unit);
+	float reach = cni_min(distance_max_m, world->settings.length_unit);
 	search_within(&q, reach);
 	while (reach < distance_max_m && (q.best.shape == 0 || q.best.distance_m > reach)) {
 		reach = cni_min(distance_max_m, GROWTH * reach);

@@ -54,8 +54,7 @@ static int32_t index_before(const void *a, const void *b)
 
 static int32_t chain_is_known(const overlap_query *q, int32_t shape)
 {
-	int32_t k;
-	for (k = q->chain_count - 1; k >= 0; --k)
+	for (int32_t k = q->chain_count - 1; k >= 0; --k)
 		if (q->chains[k] == shape)
 			return 1;
 	return 0;
@@ -88,19 +87,17 @@ static float overlap_visit(void *context, int32_t proxy, float limit)
 {
 	overlap_query *q = (overlap_query *)context;
 	cni_query_target t;
-	cn_shape handle;
-	int32_t said;
 	if (!cni_query_target_of(q->sight, proxy, &t) || cni_sight_hides_one_way(q->sight, t.shape))
 		return limit;
 	if ((q->stop != CNI_NONE && t.index > q->stop) || !overlap_finds(q, &t))
 		return limit;
 	t.child = 0; /* a chain as a whole */
-	said = cni_sight_ask_target(q->sight, &t);
+	int32_t said = cni_sight_ask_target(q->sight, &t);
 	if (said == CN_QUERY_SKIP)
 		return limit;
 	if (said == CN_QUERY_STOP)
 		q->stop = t.index;
-	handle = cni_handles_of(&q->sight->world->shape_handles, t.index);
+	cn_shape handle = cni_handles_of(&q->sight->world->shape_handles, t.index);
 	cni_first_add(&q->found, &handle);
 	return limit;
 }

@@ -35,18 +35,16 @@ void cni_solid_make(const cn_polygon *p, cni_solid *out)
 
 static void check_solid(cni_call *call, const char *field, const cn_polygon *p, cni_solid *out)
 {
-	int32_t i;
-	const char *wrong;
 	cni_check_pointer(call, field, p);
 	if (call->result != CN_OK)
 		return;
 	cni_check_range_int(call, "count", p->count, 1, CN_POLYGON_MAX_VERTICES);
 	cni_check_range(call, "radius_m", p->radius_m, 0.0f, CNI_COORDINATE_MAX);
-	for (i = 0; i < p->count && call->result == CN_OK; ++i)
+	for (int32_t i = 0; i < p->count && call->result == CN_OK; ++i)
 		cni_check_within(call, "points_m", p->points_m[i], CNI_COORDINATE_MAX);
 	if (call->result != CN_OK)
 		return;
-	wrong = cni_check_convex(p, CNI_THICKNESS_LEAST);
+	const char *wrong = cni_check_convex(p, CNI_THICKNESS_LEAST);
 	cni_check(call, wrong == NULL, CN_ERROR_ARGUMENT, wrong);
 	if (wrong == NULL)
 		cni_solid_make(p, out);
@@ -54,13 +52,12 @@ static void check_solid(cni_call *call, const char *field, const cn_polygon *p, 
 
 static void check_pose(cni_call *call, const char *field, const cn_pose *pose, cni_transform *out)
 {
-	float length_sq;
 	memset(out, 0, sizeof *out);
 	cni_check_pointer(call, field, pose);
 	if (call->result != CN_OK)
 		return;
 	cni_check_within(call, "position_m", pose->position_m, CNI_COORDINATE_MAX);
-	length_sq = pose->cosine * pose->cosine + pose->sine * pose->sine;
+	float length_sq = pose->cosine * pose->cosine + pose->sine * pose->sine;
 	cni_check(call, length_sq > 0.98f && length_sq < 1.02f, CN_ERROR_ARGUMENT, "cosine and sine must be those of an angle");
 	out->q.c = pose->cosine;
 	out->q.s = pose->sine;
@@ -105,17 +102,15 @@ static int32_t inside_find(const pair *p, cni_cast_hit *hit)
 cn_result cn_polygon_distance(const cn_polygon *a, const cn_pose *pose_a, const cn_polygon *b, const cn_pose *pose_b, cn_distance *out)
 {
 	cni_call call = cni_enter_free();
-	cni_closest d;
 	cni_cast_hit hit;
-	int32_t inside;
 	pair p;
 	check_pair(&call, a, pose_a, b, pose_b, &p);
 	cni_check_pointer(&call, "out", out);
 	if (call.result != CN_OK)
 		return call.result;
 	memset(out, 0, sizeof *out);
-	d = cni_distance(cni_geometry_proxy(&p.a.g, 0, NULL), cni_geometry_proxy(&p.b.g, 0, NULL), p.b_in_a);
-	inside = !(d.distance > 0.0f) && inside_find(&p, &hit);
+	cni_closest d = cni_distance(cni_geometry_proxy(&p.a.g, 0, NULL), cni_geometry_proxy(&p.b.g, 0, NULL), p.b_in_a);
+	int32_t inside = !(d.distance > 0.0f) && inside_find(&p, &hit);
 	out->normal = cni_rotate(p.pose_a.q, inside ? hit.normal : d.normal);
 	out->distance_m = inside ? -hit.depth : d.distance;
 	out->point_a_m = cni_transform_point(p.pose_a, inside ? hit.point : d.point_a);
@@ -171,7 +166,6 @@ cn_result cn_polygon_collide(const cn_polygon *a, const cn_pose *pose_a, const c
 {
 	cni_call call = cni_enter_free();
 	cni_manifold m;
-	int32_t k, swapped;
 	pair p;
 	check_pair(&call, a, pose_a, b, pose_b, &p);
 	cni_check_range(&call, "margin_m", margin_m, 0.0f, CNI_COORDINATE_MAX);
@@ -180,12 +174,12 @@ cn_result cn_polygon_collide(const cn_polygon *a, const cn_pose *pose_a, const c
 		cni_refuse(&call, CN_ERROR_ARGUMENT, "a single point must have a radius > 0");
 	if (call.result != CN_OK)
 		return call.result;
-	swapped = pair_manifold(&p, margin_m, &m);
+	int32_t swapped = pair_manifold(&p, margin_m, &m);
 	memset(out, 0, sizeof *out);
 	out->point_count = m.count;
 	if (m.count > 0)
 		out->normal = swapped ? cni_neg(cni_rotate(p.pose_b.q, m.normal)) : cni_rotate(p.pose_a.q, m.normal);
-	for (k = 0; k < m.count; ++k) {
+	for (int32_t k = 0; k < m.count; ++k) {
 		uint32_t id = m.points[k].id;
 		out->points[k].point_m = cni_transform_point(swapped ? p.pose_b : p.pose_a, m.points[k].point);
 		out->points[k].separation_m = m.points[k].separation;
@@ -227,8 +221,6 @@ cn_result cn_polygon_time_of_impact(const cn_polygon *a, const cn_sweep *sweep_a
 {
 	cni_call call = cni_enter_free();
 	cni_toi_input in;
-	cni_toi_result hit;
-	cni_vec2 origin;
 	cni_solid sa, sb;
 	check_solid(&call, "a", a, &sa);
 	check_sweep(&call, "sweep_a", sweep_a, &in.path_a);
@@ -238,7 +230,7 @@ cn_result cn_polygon_time_of_impact(const cn_polygon *a, const cn_sweep *sweep_a
 	cni_check_pointer(&call, "out", out);
 	if (call.result != CN_OK)
 		return call.result;
-	origin = in.path_a.start;
+	cni_vec2 origin = in.path_a.start;
 	path_shift(&in.path_a, origin);
 	path_shift(&in.path_b, origin);
 	in.a = &sa.g;
@@ -246,7 +238,7 @@ cn_result cn_polygon_time_of_impact(const cn_polygon *a, const cn_sweep *sweep_a
 	in.child_a = in.child_b = 0;
 	in.target = distance_m;
 	in.tolerance = IMPACT_TOLERANCE_M;
-	hit = cni_toi(&in);
+	cni_toi_result hit = cni_toi(&in);
 	memset(out, 0, sizeof *out);
 	out->state = hit.state;
 	out->fraction = hit.fraction;

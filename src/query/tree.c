@@ -64,13 +64,12 @@ cn_result cn_tree_create(float margin_m, cn_alloc_fn *alloc, cn_free_fn *free_ho
 
 void cn_tree_destroy(cn_tree *tree)
 {
-	cni_memory memory;
 	if (tree == NULL)
 		return;
 	cni_tree_deinit(&tree->tree, &tree->memory);
 	cni_handles_deinit(&tree->items, &tree->memory);
 	cni_array_deinit(&tree->user_data, &tree->memory);
-	memory = tree->memory;
+	cni_memory memory = tree->memory;
 	cni_memory_free(&memory, tree, sizeof *tree);
 }
 
@@ -92,14 +91,12 @@ static cn_result item_reserve(cn_tree *tree)
 cn_result cn_tree_insert(cn_tree *tree, const cn_aabb *box, uint64_t user_data, uint32_t *out_item)
 {
 	cni_aabb tight, fat;
-	cn_result result;
-	int32_t item;
 	if (tree == NULL || out_item == NULL || !box_with_margin(tree, box, &tight, &fat))
 		return CN_ERROR_ARGUMENT;
-	result = item_reserve(tree);
+	cn_result result = item_reserve(tree);
 	if (result != CN_OK)
 		return result;
-	item = cni_handles_take(&tree->items);
+	int32_t item = cni_handles_take(&tree->items);
 	user_data_of(tree)[item] = user_data;
 	cni_tree_insert(&tree->tree, item, &fat);
 	*out_item = cni_handles_of(&tree->items, item);
@@ -108,10 +105,9 @@ cn_result cn_tree_insert(cn_tree *tree, const cn_aabb *box, uint64_t user_data, 
 
 cn_result cn_tree_remove(cn_tree *tree, uint32_t item)
 {
-	int32_t index;
 	if (tree == NULL)
 		return CN_ERROR_ARGUMENT;
-	index = cni_handles_find(&tree->items, item);
+	int32_t index = cni_handles_find(&tree->items, item);
 	if (index == CNI_NONE)
 		return CN_ERROR_HANDLE;
 	cni_tree_remove(&tree->tree, index);
@@ -122,10 +118,9 @@ cn_result cn_tree_remove(cn_tree *tree, uint32_t item)
 cn_result cn_tree_move(cn_tree *tree, uint32_t item, const cn_aabb *box)
 {
 	cni_aabb tight, fat;
-	int32_t index;
 	if (tree == NULL || !box_with_margin(tree, box, &tight, &fat))
 		return CN_ERROR_ARGUMENT;
-	index = cni_handles_find(&tree->items, item);
+	int32_t index = cni_handles_find(&tree->items, item);
 	if (index == CNI_NONE)
 		return CN_ERROR_HANDLE;
 	if (!cni_aabb_contains(cni_tree_box(&tree->tree, cni_tree_place(&tree->tree, index)), &tight))
@@ -135,14 +130,12 @@ cn_result cn_tree_move(cn_tree *tree, uint32_t item, const cn_aabb *box)
 
 cn_result cn_tree_get_box(const cn_tree *tree, uint32_t item, cn_aabb *out)
 {
-	const cni_aabb *box;
-	int32_t index;
 	if (tree == NULL || out == NULL)
 		return CN_ERROR_ARGUMENT;
-	index = cni_handles_find(&tree->items, item);
+	int32_t index = cni_handles_find(&tree->items, item);
 	if (index == CNI_NONE)
 		return CN_ERROR_HANDLE;
-	box = cni_tree_box(&tree->tree, cni_tree_place(&tree->tree, index));
+	const cni_aabb *box = cni_tree_box(&tree->tree, cni_tree_place(&tree->tree, index));
 	out->lower_m = cni_v(box->x0, box->y0);
 	out->upper_m = cni_v(box->x1, box->y1);
 	return CN_OK;
@@ -182,10 +175,9 @@ static float visit_ray(void *context, int32_t item, float limit)
 cn_result cn_tree_query(const cn_tree *tree, const cn_aabb *box, cn_tree_query_fn *visit, void *user)
 {
 	tree_visitor visitor = { tree, visit, NULL, user };
-	cni_aabb region;
 	if (tree == NULL || visit == NULL || !box_is_good(box))
 		return CN_ERROR_ARGUMENT;
-	region = cni_aabb_of(box->lower_m, box->upper_m);
+	cni_aabb region = cni_aabb_of(box->lower_m, box->upper_m);
 	cni_tree_query(&tree->tree, &region, visit_query, &visitor);
 	return CN_OK;
 }

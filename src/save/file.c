@@ -32,11 +32,10 @@ cn_result cn_world_write(const cn_world *world, void *out, uint64_t capacity, ui
 {
 	uint8_t *to = (uint8_t *)out;
 	uint64_t bytes;
-	cni_file f;
 	cn_result sized = out != NULL ? cn_world_write_size(world, &bytes) : CN_ERROR_ARGUMENT;
 	if (sized != CN_OK || capacity < bytes)
 		return sized != CN_OK ? sized : CN_ERROR_CAPACITY;
-	f = cni_file_begin(CNI_FILE_WRITE, to + HEADER_BYTES);
+	cni_file f = cni_file_begin(CNI_FILE_WRITE, to + HEADER_BYTES);
 	cni_file_world((cn_world *)(uintptr_t)world, &f);
 	memcpy(to, magic, sizeof magic);
 	cni_file_put(to + 8, VERSION, 4);
@@ -102,8 +101,6 @@ cn_result cn_world_read(const cn_world_def *def, const void *file, uint64_t byte
 	cni_settings settings;
 	cn_world_def own;
 	cn_world *world = NULL;
-	cni_file f;
-	cn_result created;
 	cni_check_pointer(&call, "file", file);
 	cni_check_pointer(&call, "out_world", out_world);
 	cn_world_def_init(&own);
@@ -113,13 +110,13 @@ cn_result cn_world_read(const cn_world_def *def, const void *file, uint64_t byte
 		return call.result;
 	if (!header_is_good((const uint8_t *)file, bytes))
 		return CN_ERROR_FORMAT;
-	f = cni_file_read((const uint8_t *)file + HEADER_BYTES, bytes - HEADER_BYTES);
+	cni_file f = cni_file_read((const uint8_t *)file + HEADER_BYTES, bytes - HEADER_BYTES);
 	memset(&settings, 0, sizeof settings);
 	cni_file_settings(&f, &settings);
 	if (f.result != CN_OK || !settings_are_good(&settings))
 		return CN_ERROR_FORMAT;
 	def_take_settings(&own, &settings);
-	created = cn_world_create(&own, &world);
+	cn_result created = cn_world_create(&own, &world);
 	if (created != CN_OK)
 		return created;
 	world_fill(world, &f);

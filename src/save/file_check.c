@@ -11,17 +11,16 @@
 static int32_t aliases_hold(const cni_handles *h)
 {
 	const cni_alias *by_index = (const cni_alias *)h->aliases.data, *by_slot = (const cni_alias *)h->by_slot.data;
-	int32_t k;
 	if (h->aliases.count != h->by_slot.count)
 		return 0;
-	for (k = 0; k < h->aliases.count; ++k) {
+	for (int32_t k = 0; k < h->aliases.count; ++k) {
 		if (by_index[k].index <= 0 || by_index[k].index > CN_MAX_HANDLES || by_index[k].slot >= h->slots.count || by_slot[k].slot >= h->slots.count ||
 		    by_slot[k].index <= 0 || by_slot[k].index > CN_MAX_HANDLES)
 			return 0;
 		if (k > 0 && (by_index[k].index <= by_index[k - 1].index || by_slot[k].slot <= by_slot[k - 1].slot))
 			return 0;
 	}
-	for (k = 0; k < h->aliases.count; ++k) /* a search in the other list, which is in order */
+	for (int32_t k = 0; k < h->aliases.count; ++k) /* a search in the other list, which is in order */
 		if (cni_handles_alias_of(h, by_index[k].slot) != by_index[k].index)
 			return 0;
 	return 1;
@@ -44,10 +43,10 @@ static int32_t free_slots_hold(const cni_handles *h)
 int32_t cni_file_handles_hold(const cni_handles *h)
 {
 	const uint32_t *slots = (const uint32_t *)h->slots.data;
-	int32_t k, alive = 0;
+	int32_t alive = 0;
 	if (h->slots.count > CN_MAX_HANDLES || h->alias_next > CN_MAX_HANDLES + 1 || !aliases_hold(h))
 		return 0;
-	for (k = 0; k < h->slots.count; ++k) {
+	for (int32_t k = 0; k < h->slots.count; ++k) {
 		if (!(slots[k] >> 21 & 1u))
 			continue;
 		++alive;
@@ -88,12 +87,12 @@ static int32_t joint_numbers_hold(const cni_joint *j)
 
 static int32_t records_hold(const cn_world *world)
 {
-	int32_t k, good = world_numbers_hold(world);
-	for (k = cni_handles_next(&world->body_handles, 0); k != CNI_NONE && good; k = cni_handles_next(&world->body_handles, k + 1))
+	int32_t good = world_numbers_hold(world);
+	for (int32_t k = cni_handles_next(&world->body_handles, 0); k != CNI_NONE && good; k = cni_handles_next(&world->body_handles, k + 1))
 		good = body_numbers_hold(cni_body_at(world, k));
-	for (k = cni_handles_next(&world->shape_handles, 0); k != CNI_NONE && good; k = cni_handles_next(&world->shape_handles, k + 1))
+	for (int32_t k = cni_handles_next(&world->shape_handles, 0); k != CNI_NONE && good; k = cni_handles_next(&world->shape_handles, k + 1))
 		good = shape_numbers_hold(cni_shape_at(world, k));
-	for (k = cni_handles_next(&world->joint_handles, 0); k != CNI_NONE && good; k = cni_handles_next(&world->joint_handles, k + 1))
+	for (int32_t k = cni_handles_next(&world->joint_handles, 0); k != CNI_NONE && good; k = cni_handles_next(&world->joint_handles, k + 1))
 		good = joint_numbers_hold(cni_joint_at(world, k));
 	return good;
 }
@@ -104,21 +103,21 @@ static int32_t records_hold(const cn_world *world)
 static int32_t direct_list_holds(const cn_world *world)
 {
 	const int32_t *list = (const int32_t *)world->direct_islands.data;
-	int32_t k, good = 1;
-	for (k = 0; k < world->direct_islands.count && good; ++k) {
+	int32_t good = 1;
+	for (int32_t k = 0; k < world->direct_islands.count && good; ++k) {
 		good = list[k] != CNI_NONE && cni_island_at(world, list[k])->number == 0;
 		if (good)
 			cni_island_at(world, list[k])->number = 1; /* scratch of a step: 0 between steps of a read world */
 	}
-	for (k = 0; k < world->island_used; ++k)
+	for (int32_t k = 0; k < world->island_used; ++k)
 		cni_island_at(world, k)->number = 0;
 	return good;
 }
 
 static int32_t islands_hold(const cn_world *world)
 {
-	int32_t k, free_records = 0;
-	for (k = world->island_free; k != CNI_NONE; k = cni_island_at(world, k)->next_free)
+	int32_t free_records = 0;
+	for (int32_t k = world->island_free; k != CNI_NONE; k = cni_island_at(world, k)->next_free)
 		++free_records;
 	return free_records == world->island_used - world->island_count && direct_list_holds(world);
 }
@@ -134,12 +133,11 @@ static int32_t contact_is_live(const cn_world *world, int32_t contact)
 static int32_t contact_pair_holds(const cn_world *world, const cni_contact *c)
 {
 	const cni_shape *shapes[2];
-	int32_t side, dynamic = 0;
-	for (side = 0; side < 2; ++side) {
-		const cni_proxy *p;
+	int32_t dynamic = 0;
+	for (int32_t side = 0; side < 2; ++side) {
 		if (c->proxy[side] == CNI_NONE || !body_alive(world, c->body[side]))
 			return 0;
-		p = cni_proxy_at(world, c->proxy[side]);
+		const cni_proxy *p = cni_proxy_at(world, c->proxy[side]);
 		if (!(p->flags & CNI_PROXY_ALIVE) || cni_shape_at(world, p->shape)->body != c->body[side])
 			return 0;
 		shapes[side] = cni_shape_at(world, p->shape);
@@ -156,10 +154,9 @@ static const cni_aabb *old_box(const cni_proxy *p) { return p->flags & CNI_PROXY
 static int32_t contact_boxes_hold(const cn_world *world, const cni_contact *c)
 {
 	const cni_aabb *one = old_box(cni_proxy_at(world, c->proxy[0])), *other = old_box(cni_proxy_at(world, c->proxy[1]));
-	int32_t side;
 	if ((world->pairs_may_repeat & CNI_PAIRS_ALL) == CNI_PAIRS_ALL || (box_is_full(one) && box_is_full(other) && cni_aabb_overlap(one, other)))
 		return 1;
-	for (side = 0; side < 2; ++side) {
+	for (int32_t side = 0; side < 2; ++side) {
 		const cni_body *b = cni_body_at(world, c->body[side]);
 		if ((b->awake == 0 && b->type != CN_BODY_STATIC) || (world->pairs_may_repeat && (b->flags & CNI_BODY_AGAIN)))
 			return 1;
@@ -183,16 +180,16 @@ static int32_t contact_place_holds(const cn_world *world, int32_t contact)
 
 static int32_t contacts_hold(const cn_world *world)
 {
-	int32_t k, free_records = 0;
-	for (k = 0; k < world->contact_used; ++k)
+	int32_t free_records = 0;
+	for (int32_t k = 0; k < world->contact_used; ++k)
 		if (contact_is_live(world, k) && (!contact_pair_holds(world, cni_contact_at(world, k)) || !contact_boxes_hold(world, cni_contact_at(world, k)) || !contact_place_holds(world, k)))
 			return 0;
-	for (k = 0; k < world->apart.count; ++k) {
+	for (int32_t k = 0; k < world->apart.count; ++k) {
 		int32_t contact = ((const int32_t *)world->apart.data)[k];
 		if (!contact_is_live(world, contact) || cni_contact_at(world, contact)->slot != k || (cni_contact_at(world, contact)->flags & CNI_CONTACT_TOUCHING))
 			return 0;
 	}
-	for (k = world->contact_free; k != CNI_NONE; k = cni_contact_at(world, k)->slot)
+	for (int32_t k = world->contact_free; k != CNI_NONE; k = cni_contact_at(world, k)->slot)
 		++free_records;
 	return free_records == world->contact_used - world->contact_count;
 }
@@ -206,10 +203,9 @@ static int32_t lane_holds(const cn_world *world, int32_t block, int32_t lane)
 	const cni_block_info *info = cni_block_info_at(world, block);
 	const cni_contact_block *rows = cni_block_at(world, block);
 	int32_t contact = info->contact[lane], flipped;
-	const cni_contact *c;
 	if (!contact_is_live(world, contact))
 		return 0;
-	c = cni_contact_at(world, contact);
+	const cni_contact *c = cni_contact_at(world, contact);
 	flipped = (c->flags & CNI_CONTACT_FLIPPED) != 0;
 	if (c->slot != block * CNI_LANES + lane || !(c->flags & CNI_CONTACT_TOUCHING) || ((c->flags & CNI_CONTACT_ASLEEP) != 0) != (info->color == CNI_COLOR_ASLEEP))
 		return 0;
@@ -229,12 +225,12 @@ static int32_t lane_is_empty(const cn_world *world, int32_t block, int32_t lane)
 static int32_t blocks_of_color(const cn_world *world, int32_t color)
 {
 	const cni_color *group = &world->colors[color];
-	int32_t block = group->first, before = CNI_NONE, count = 0, lanes = group->lanes, lane;
+	int32_t block = group->first, before = CNI_NONE, count = 0, lanes = group->lanes;
 	for (; block != CNI_NONE; block = cni_block_info_at(world, block)->next) {
 		const cni_block_info *info = cni_block_info_at(world, block);
 		if (info->color != color || info->prev != before || lanes <= 0)
 			return CNI_NONE;
-		for (lane = 0; lane < CNI_LANES; ++lane)
+		for (int32_t lane = 0; lane < CNI_LANES; ++lane)
 			if (lane < lanes ? !lane_holds(world, block, lane) : !lane_is_empty(world, block, lane))
 				return CNI_NONE;
 		lanes -= cni_min_i(lanes, CNI_LANES);
@@ -246,8 +242,7 @@ static int32_t blocks_of_color(const cn_world *world, int32_t color)
 
 static int32_t extra_rows_hold(const cn_world *world)
 {
-	int32_t k;
-	for (k = 0; k < world->block_used; ++k)
+	for (int32_t k = 0; k < world->block_used; ++k)
 		if (cni_block_info_at(world, k)->color != CNI_NONE && (cni_block_info_at(world, k)->flags & CNI_BLOCK_EXTRA) && cni_block_extra_at(world, k) == NULL)
 			return 0;
 	return 1;
@@ -255,14 +250,14 @@ static int32_t extra_rows_hold(const cn_world *world)
 
 static int32_t blocks_hold(const cn_world *world)
 {
-	int32_t color, used = 0, k, free_blocks = 0;
-	for (color = 0; color < CNI_COLOR_LISTS; ++color) {
+	int32_t used = 0, free_blocks = 0;
+	for (int32_t color = 0; color < CNI_COLOR_LISTS; ++color) {
 		int32_t count = blocks_of_color(world, color);
 		if (count == CNI_NONE)
 			return 0;
 		used += count;
 	}
-	for (k = world->block_free; k != CNI_NONE; k = cni_block_info_at(world, k)->next)
+	for (int32_t k = world->block_free; k != CNI_NONE; k = cni_block_info_at(world, k)->next)
 		++free_blocks;
 	return used + free_blocks == world->block_used && extra_rows_hold(world);
 }
@@ -280,8 +275,7 @@ static int32_t event_holds(const cni_array *log, int32_t kind, int32_t k)
 
 static int32_t log_holds(const cni_array *log, int32_t kind)
 {
-	int32_t k;
-	for (k = 0; k < log->count; ++k)
+	for (int32_t k = 0; k < log->count; ++k)
 		if (!event_holds(log, kind, k))
 			return 0;
 	return 1;
@@ -290,8 +284,7 @@ static int32_t log_holds(const cni_array *log, int32_t kind)
 /* Only in steps contacts stay and hit. */
 static int32_t events_hold(const cn_world *world)
 {
-	int32_t kind;
-	for (kind = 0; kind < CN_EVENT_KINDS; ++kind) {
+	for (int32_t kind = 0; kind < CN_EVENT_KINDS; ++kind) {
 		const cni_array *pending = &world->events.pending[kind];
 		if (!log_holds(&world->events.log[kind], kind) || !(kind == CN_EVENT_STAY || kind == CN_EVENT_HIT ? pending->count == 0 : log_holds(pending, kind)))
 			return 0;
@@ -301,10 +294,9 @@ static int32_t events_hold(const cn_world *world)
 
 static int32_t area_holds(const cn_world *world, const cni_area *a)
 {
-	const cni_shape *s;
 	if (a->shape < 0 || !cni_handles_alive(&world->shape_handles, a->shape))
 		return 0;
-	s = cni_shape_at(world, a->shape);
+	const cni_shape *s = cni_shape_at(world, a->shape);
 	return s->type != CN_SHAPE_EDGE && s->type != CN_SHAPE_CHAIN && (a->def.flags & ~CNI_AREA_FLAGS) == 0 && a->def.pull_distance_m >= 0.0f && a->def.linear_damping_per_s >= 0.0f &&
 	       a->def.angular_damping_per_s >= 0.0f && a->def.density_kgpm2 >= 0.0f && a->def.drag_kgpm2 >= 0.0f && a->def.lift_kgpm2 >= 0.0f;
 }
@@ -313,8 +305,7 @@ static int32_t area_holds(const cn_world *world, const cni_area *a)
 static int32_t areas_hold(const cn_world *world)
 {
 	const cni_area *areas = cni_areas(world);
-	int32_t k;
-	for (k = 0; k < world->areas.count; ++k)
+	for (int32_t k = 0; k < world->areas.count; ++k)
 		if (!area_holds(world, areas + k) || (k > 0 && !cni_area_is_before(areas + k - 1, areas + k)))
 			return 0;
 	return 1;

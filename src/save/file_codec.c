@@ -14,24 +14,22 @@
 uint64_t cni_file_get(const uint8_t *from, uint32_t bytes)
 {
 	uint64_t value = 0;
-	uint32_t k;
-	for (k = 0; k < bytes; ++k)
+	for (uint32_t k = 0; k < bytes; ++k)
 		value |= (uint64_t)from[k] << 8 * k;
 	return value;
 }
 
 void cni_file_put(uint8_t *to, uint64_t value, uint32_t bytes)
 {
-	uint32_t k;
-	for (k = 0; k < bytes; ++k)
+	for (uint32_t k = 0; k < bytes; ++k)
 		to[k] = (uint8_t)(value >> 8 * k);
 }
 
 /* FNV-1a (Fowler, Noll, Vo, 1991): each step can be undone, so a single changed byte always shows. */
 uint64_t cni_file_checksum(const uint8_t *bytes, uint64_t count)
 {
-	uint64_t hash = 0xCBF29CE484222325u, k;
-	for (k = 0; k < count; ++k)
+	uint64_t hash = 0xCBF29CE484222325u;
+	for (uint64_t k = 0; k < count; ++k)
 		hash = (hash ^ bytes[k]) * 0x100000001B3u;
 	return hash;
 }
@@ -81,8 +79,7 @@ cni_file cni_file_read(const uint8_t *chunks, uint64_t bytes)
 static const uint8_t *chunk_find(const cni_file *f, const char *tag)
 {
 	const uint8_t *found = NULL;
-	uint64_t at;
-	for (at = 0; at < f->bytes && f->result == CN_OK; at += HEAD_BYTES + records_bytes(f->in + at, f->bytes)) {
+	for (uint64_t at = 0; at < f->bytes && f->result == CN_OK; at += HEAD_BYTES + records_bytes(f->in + at, f->bytes)) {
 		if (memcmp(f->in + at, tag, 4) != 0)
 			continue;
 		if (found != NULL)
@@ -127,10 +124,9 @@ static void bytes_put(cni_file *f, uint64_t value, uint32_t bytes)
 
 int32_t cni_file_chunk(cni_file *f, const char *tag, uint32_t least, int32_t count, uint32_t *stride)
 {
-	uint32_t k;
 	if (f->mode == CNI_FILE_READ)
 		return chunk_open(f, tag, least, stride);
-	for (k = 0; k < 4; ++k)
+	for (uint32_t k = 0; k < 4; ++k)
 		bytes_put(f, (uint8_t)tag[k], 1);
 	bytes_put(f, least, 4);
 	bytes_put(f, (uint64_t)count, 8);
@@ -162,12 +158,11 @@ uint64_t cni_file_left(const cni_file *f)
 
 static uint64_t bytes_get(cni_file *f, uint32_t bytes)
 {
-	uint64_t value;
 	if (cni_file_left(f) < bytes) {
 		cni_file_fail(f, CN_ERROR_FORMAT);
 		return 0;
 	}
-	value = cni_file_get(f->at, bytes);
+	uint64_t value = cni_file_get(f->at, bytes);
 	f->at += bytes;
 	return value;
 }
@@ -182,8 +177,7 @@ uint32_t cni_file_word(cni_file *f, uint32_t word)
 
 void cni_file_raw(cni_file *f, uint8_t *bytes, uint32_t count)
 {
-	uint32_t k;
-	for (k = 0; k < count; ++k) {
+	for (uint32_t k = 0; k < count; ++k) {
 		if (f->mode == CNI_FILE_READ)
 			bytes[k] = (uint8_t)bytes_get(f, 1);
 		else
@@ -196,8 +190,7 @@ void cni_file_raw(cni_file *f, uint8_t *bytes, uint32_t count)
 uint32_t cni_record_file_bytes(const cni_record *record)
 {
 	uint32_t bytes = 0;
-	int32_t k;
-	for (k = 0; k < record->count; ++k)
+	for (int32_t k = 0; k < record->count; ++k)
 		if (record->fields[k].kind > CNI_FIELD_SAVED)
 			bytes += record->fields[k].count * CNI_FIELD_BYTES(record->fields[k].kind);
 	return bytes;
@@ -245,10 +238,10 @@ static int32_t value_is_good(const cni_file *f, uint32_t kind, uint64_t value)
 
 static void field_pass(cni_file *f, const cni_field *field, uint8_t *item)
 {
-	uint32_t bytes = CNI_FIELD_BYTES(field->kind), k;
+	uint32_t bytes = CNI_FIELD_BYTES(field->kind);
 	if (field->kind <= CNI_FIELD_SAVED)
 		return;
-	for (k = 0; k < field->count; ++k, item += bytes) {
+	for (uint32_t k = 0; k < field->count; ++k, item += bytes) {
 		if (f->mode == CNI_FILE_READ) {
 			uint64_t value = bytes_get(f, bytes);
 			cni_file_need(f, value_is_good(f, field->kind, value), CN_ERROR_FORMAT);
@@ -276,12 +269,11 @@ static void zeros_pass(cni_file *f, uint32_t count)
 void cni_file_record(cni_file *f, const cni_record *record, void *item, uint32_t stride)
 {
 	uint32_t known = cni_record_file_bytes(record);
-	int32_t k;
 	if (f->mode == CNI_FILE_MEASURE || item == NULL) {
 		zeros_pass(f, stride);
 		return;
 	}
-	for (k = 0; k < record->count && f->result == CN_OK; ++k)
+	for (int32_t k = 0; k < record->count && f->result == CN_OK; ++k)
 		field_pass(f, &record->fields[k], (uint8_t *)item + record->fields[k].offset);
 	zeros_pass(f, stride - known);
 }

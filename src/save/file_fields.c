@@ -200,7 +200,7 @@ void cni_file_settings(cni_file *f, cni_settings *settings)
 static void array_pass(cn_world *world, cni_file *f, const char *tag, int32_t record, cni_array *array)
 {
 	uint32_t stride;
-	int32_t count = cni_file_chunk(f, tag, cni_record_file_bytes(&records[record]), array->count, &stride), k;
+	int32_t count = cni_file_chunk(f, tag, cni_record_file_bytes(&records[record]), array->count, &stride);
 	if (f->mode == CNI_FILE_READ) {
 		if (!cni_array_reserve(array, &world->memory, count)) {
 			cni_file_fail(f, CN_ERROR_MEMORY);
@@ -210,7 +210,7 @@ static void array_pass(cn_world *world, cni_file *f, const char *tag, int32_t re
 			memset(array->data, 0, (size_t)count * (size_t)array->item_bytes);
 		array->count = count;
 	}
-	for (k = 0; k < count; ++k)
+	for (int32_t k = 0; k < count; ++k)
 		cni_file_record(f, &records[record], (uint8_t *)array->data + (size_t)k * (size_t)array->item_bytes, stride);
 }
 
@@ -248,8 +248,7 @@ cni_array *cni_file_array(cn_world *world, int32_t k)
 
 static void arrays_pass(cn_world *world, cni_file *f, int32_t part)
 {
-	int32_t k;
-	for (k = 0; k < WORLD_ARRAYS; ++k)
+	for (int32_t k = 0; k < WORLD_ARRAYS; ++k)
 		if (world_arrays[k].part == part)
 			array_pass(world, f, world_arrays[k].tag, world_arrays[k].record, cni_file_array(world, k));
 }
@@ -259,13 +258,13 @@ typedef int32_t live_fn(const cn_world *world, int32_t index);
 static void table_pass(cn_world *world, cni_file *f, const char *tag, int32_t record, cni_table *table, int32_t used, live_fn *live)
 {
 	uint32_t stride;
-	int32_t count = cni_file_chunk(f, tag, cni_record_file_bytes(&records[record]), used, &stride), k;
+	int32_t count = cni_file_chunk(f, tag, cni_record_file_bytes(&records[record]), used, &stride);
 	cni_file_need(f, count == used, CN_ERROR_FORMAT);
 	if (f->mode == CNI_FILE_READ && f->result == CN_OK)
 		cni_file_need(f, cni_table_reserve(table, &world->memory, count), CN_ERROR_MEMORY);
 	if (f->result != CN_OK)
 		return;
-	for (k = 0; k < count; ++k)
+	for (int32_t k = 0; k < count; ++k)
 		cni_file_record(f, &records[record], live(world, k) ? cni_table_at(table, k) : NULL, stride);
 }
 
@@ -311,8 +310,7 @@ static void free_island(const cn_world *world, int32_t island) { cni_island_at(w
 static void free_block(const cn_world *world, int32_t block)
 {
 	cni_block_info *info = cni_block_info_at(world, block);
-	int32_t l;
-	for (l = 0; l < CNI_LANES; ++l)
+	for (int32_t l = 0; l < CNI_LANES; ++l)
 		info->contact[l] = CNI_NONE;
 	info->color = CNI_NONE;
 }
@@ -335,9 +333,9 @@ enum { PROXY_POOL, CONTACT_POOL, ISLAND_POOL, BLOCK_POOL };
 /* Marks the free records and links them. */
 static void free_read(cn_world *world, cni_file *f, const pool *p, int32_t used, int32_t *head)
 {
-	int32_t count = cni_file_chunk_begin(f, p->tag, 4), k, *to = head;
+	int32_t count = cni_file_chunk_begin(f, p->tag, 4), *to = head;
 	*to = CNI_NONE;
-	for (k = 0; k < count; ++k) {
+	for (int32_t k = 0; k < count; ++k) {
 		uint32_t index = cni_file_word(f, 0);
 		if (f->result != CN_OK || index >= (uint32_t)used || !p->live(world, (int32_t)index)) {
 			cni_file_fail(f, CN_ERROR_FORMAT);
@@ -352,9 +350,8 @@ static void free_read(cn_world *world, cni_file *f, const pool *p, int32_t used,
 
 static void free_write(cn_world *world, cni_file *f, const pool *p, int32_t head)
 {
-	int32_t k;
 	(void)cni_file_chunk_begin(f, p->tag, 4);
-	for (k = head; k != CNI_NONE; k = *p->link(world, k))
+	for (int32_t k = head; k != CNI_NONE; k = *p->link(world, k))
 		(void)cni_file_word(f, (uint32_t)k);
 	cni_file_chunk_end(f, 4);
 }
@@ -362,7 +359,6 @@ static void free_write(cn_world *world, cni_file *f, const pool *p, int32_t head
 /* Makes room for the records of a pool and says which are free. */
 static void pool_pass(cn_world *world, cni_file *f, int32_t which, cni_table *table, int32_t limit, int32_t *used, int32_t *head)
 {
-	int32_t k;
 	if (f->mode != CNI_FILE_READ) {
 		free_write(world, f, &pools[which], *head);
 		return;
@@ -372,7 +368,7 @@ static void pool_pass(cn_world *world, cni_file *f, int32_t which, cni_table *ta
 	if (f->result != CN_OK)
 		return;
 	*used = f->limits[limit];
-	for (k = 0; k < *used && which == PROXY_POOL; ++k)
+	for (int32_t k = 0; k < *used && which == PROXY_POOL; ++k)
 		cni_proxy_at(world, k)->flags = CNI_PROXY_ALIVE; /* in other tables a record of zeros looks alive */
 	free_read(world, f, &pools[which], *used, head);
 }
@@ -389,18 +385,17 @@ typedef union lane_words {
 /* Rows by lanes. Kernels of several widths leave 0 or -0 in lanes without a contact: these are written as 0. */
 static void lanes_pass(cn_world *world, cni_file *f, const char *tag, int32_t record, cni_table *table, int32_t used)
 {
-	uint32_t stride, word, words = (uint32_t)records[record].bytes / 4u;
-	int32_t count, k;
+	uint32_t stride, words = (uint32_t)records[record].bytes / 4u;
 	if (f->mode == CNI_FILE_READ) {
 		table_pass(world, f, tag, record, table, used, block_is_live);
 		return;
 	}
-	count = cni_file_chunk(f, tag, cni_record_file_bytes(&records[record]), used, &stride);
-	for (k = 0; k < count; ++k) {
+	int32_t count = cni_file_chunk(f, tag, cni_record_file_bytes(&records[record]), used, &stride);
+	for (int32_t k = 0; k < count; ++k) {
 		lane_words copy;
 		if (f->mode == CNI_FILE_WRITE && block_is_live(world, k)) {
 			memcpy(copy.words, cni_table_at(table, k), words * 4u);
-			for (word = 0; word < words; ++word)
+			for (uint32_t word = 0; word < words; ++word)
 				if (cni_block_info_at(world, k)->contact[word % CNI_LANES] == CNI_NONE)
 					copy.words[word] = 0;
 		}
@@ -410,8 +405,7 @@ static void lanes_pass(cn_world *world, cni_file *f, const char *tag, int32_t re
 
 int32_t cni_file_extra_count(const cn_world *world)
 {
-	int32_t k;
-	for (k = 0; k < world->block_used && cni_table_capacity(&world->blocks_extra) > 0; ++k)
+	for (int32_t k = 0; k < world->block_used && cni_table_capacity(&world->blocks_extra) > 0; ++k)
 		if (block_is_live(world, k) && (cni_block_info_at(world, k)->flags & CNI_BLOCK_EXTRA))
 			return world->block_used;
 	return 0;
@@ -431,7 +425,6 @@ static void extra_pass(cn_world *world, cni_file *f)
 static void blocks_pass(cn_world *world, cni_file *f)
 {
 	uint32_t stride;
-	int32_t count, color;
 	if (f->mode == CNI_FILE_READ)
 		cni_file_need(f, cni_table_reserve(&world->blocks_hot, &world->memory, f->limits[CNI_FIELD_BLOCK]), CN_ERROR_MEMORY);
 	pool_pass(world, f, BLOCK_POOL, &world->blocks_info, CNI_FIELD_BLOCK, &world->block_used, &world->block_free);
@@ -439,9 +432,9 @@ static void blocks_pass(cn_world *world, cni_file *f)
 	lanes_pass(world, f, "BLOK", OF_BLOCK, &world->blocks_hot, world->block_used);
 	lanes_pass(world, f, "ANCH", OF_ANCHOR, &world->blocks_anchor, world->block_used);
 	extra_pass(world, f);
-	count = cni_file_chunk(f, "COLR", cni_record_file_bytes(&records[OF_COLOR]), CNI_COLOR_LISTS, &stride);
+	int32_t count = cni_file_chunk(f, "COLR", cni_record_file_bytes(&records[OF_COLOR]), CNI_COLOR_LISTS, &stride);
 	cni_file_need(f, count == CNI_COLOR_LISTS, CN_ERROR_FORMAT);
-	for (color = 0; color < CNI_COLOR_LISTS; ++color)
+	for (int32_t color = 0; color < CNI_COLOR_LISTS; ++color)
 		cni_file_record(f, &records[OF_COLOR], &world->colors[color], stride);
 }
 

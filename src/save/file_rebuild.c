@@ -39,17 +39,17 @@ static void geometry_pass(cni_file *f, cni_geometry *g)
 	};
 	static const cni_field vector_fields[] = { { 0, 2, CNI_FIELD_FLOAT } };
 	static const cni_record record = { fields, 4, (int32_t)sizeof(cni_geometry) }, vector = { vector_fields, 1, (int32_t)sizeof(cni_vec2) };
-	uint32_t k, vectors = (geometry_words(g->type, (uint32_t)g->count) - 7u) / 2u;
+	uint32_t vectors = (geometry_words(g->type, (uint32_t)g->count) - 7u) / 2u;
 	cni_file_record(f, &record, g, 5 * 4);
-	for (k = 0; k < vectors; ++k)
+	for (uint32_t k = 0; k < vectors; ++k)
 		cni_file_record(f, &vector, (cni_vec2 *)(void *)(g + 1) + k, 2 * 4);
 }
 
 /* Without it a body's extent would not span the shape after its mass changes. */
 static int32_t extent_spans_points(const cni_geometry *g)
 {
-	int32_t k, good = 1;
-	for (k = 0; k < g->count; ++k)
+	int32_t good = 1;
+	for (int32_t k = 0; k < g->count; ++k)
 		good &= cni_length(cni_geometry_points(g)[k]) + g->radius <= (1.0f + 1e-5f) * g->extent;
 	return good;
 }
@@ -57,7 +57,6 @@ static int32_t extent_spans_points(const cni_geometry *g)
 static void geometry_read(cn_world *world, cni_file *f, cni_shape *s)
 {
 	uint32_t count = cni_file_word(f, 0), seams = cni_file_word(f, 0);
-	cni_geometry *g;
 	cni_file_need(f, points_are_possible(s->type, count, seams) && cni_file_left(f) / 4u >= geometry_words(s->type, count) - 2u, CN_ERROR_FORMAT);
 	if (f->result != CN_OK)
 		return;
@@ -66,7 +65,7 @@ static void geometry_read(cn_world *world, cni_file *f, cni_shape *s)
 		cni_file_fail(f, CN_ERROR_MEMORY);
 		return;
 	}
-	g = (cni_geometry *)cni_blocks_at(&world->blocks, s->geometry);
+	cni_geometry *g = (cni_geometry *)cni_blocks_at(&world->blocks, s->geometry);
 	memset(g, 0, sizeof *g);
 	g->type = s->type;
 	g->count = (int32_t)count;
@@ -104,9 +103,8 @@ static void geometries_pass(cn_world *world, cni_file *f)
 
 static void material_ids_write(cn_world *world, cni_file *f)
 {
-	int32_t k;
 	(void)cni_file_chunk_begin(f, "SMAT", 8);
-	for (k = cni_handles_next(&world->shape_handles, 0); k != CNI_NONE; k = cni_handles_next(&world->shape_handles, k + 1)) {
+	for (int32_t k = cni_handles_next(&world->shape_handles, 0); k != CNI_NONE; k = cni_handles_next(&world->shape_handles, k + 1)) {
 		uint32_t id = cni_shape_material_id(&world->blocks, cni_shape_at(world, k));
 		if (id == 0)
 			continue;
@@ -121,12 +119,11 @@ static void material_ids_read(cn_world *world, cni_file *f)
 	int32_t count = cni_file_chunk_begin(f, "SMAT", 8), k;
 	for (k = 0; k < count && f->result == CN_OK; ++k) {
 		uint32_t shape = cni_file_word(f, 0), id = cni_file_word(f, 0);
-		cni_shape *s;
 		if (f->result != CN_OK || !cni_handles_alive(&world->shape_handles, (int32_t)shape)) {
 			cni_file_fail(f, CN_ERROR_FORMAT);
 			return;
 		}
-		s = cni_shape_at(world, (int32_t)shape);
+		cni_shape *s = cni_shape_at(world, (int32_t)shape);
 		if (!cni_shape_reserve_extra(world, s))
 			cni_file_fail(f, CN_ERROR_MEMORY);
 		else
@@ -144,9 +141,8 @@ static const char *name_of(const cn_world *world, int32_t body)
 
 static void names_write(cn_world *world, cni_file *f)
 {
-	int32_t k;
 	(void)cni_file_chunk_begin(f, "NAME", 1);
-	for (k = 0; k < world->body_handles.slots.count; ++k) {
+	for (int32_t k = 0; k < world->body_handles.slots.count; ++k) {
 		const char *name = name_of(world, k);
 		uint8_t length = 0;
 		if (name == NULL)
@@ -196,43 +192,42 @@ void cni_file_pieces(cn_world *world, cni_file *f)
 
 static void bodies_count(cn_world *world)
 {
-	int32_t k, body;
+	int32_t body;
 	world->awake_count = world->awake_id.count;
-	for (k = cni_handles_next(&world->body_handles, 0); k != CNI_NONE; k = cni_handles_next(&world->body_handles, k + 1)) {
+	for (int32_t k = cni_handles_next(&world->body_handles, 0); k != CNI_NONE; k = cni_handles_next(&world->body_handles, k + 1)) {
 		world->movable_count += cni_body_at(world, k)->type != CN_BODY_STATIC;
 		cni_body_at(world, k)->flags &= ~(uint32_t)CNI_BODY_KICKED;
 	}
-	for (k = 0; k < world->kicked.count; ++k)
+	for (int32_t k = 0; k < world->kicked.count; ++k)
 		if ((body = cni_handles_find(&world->body_handles, ((const cn_body *)world->kicked.data)[k])) != CNI_NONE)
 			cni_body_at(world, body)->flags |= CNI_BODY_KICKED;
-	for (k = cni_handles_next(&world->joint_handles, 0); k != CNI_NONE; k = cni_handles_next(&world->joint_handles, k + 1))
+	for (int32_t k = cni_handles_next(&world->joint_handles, 0); k != CNI_NONE; k = cni_handles_next(&world->joint_handles, k + 1))
 		world->constraint_count += cni_joint_is_constraint(cni_joint_at(world, k)->type);
 }
 
 static void pools_count(cn_world *world)
 {
-	int32_t k;
-	for (k = 0; k < world->proxy_used; ++k)
+	for (int32_t k = 0; k < world->proxy_used; ++k)
 		world->proxy_count += (cni_proxy_at(world, k)->flags & CNI_PROXY_ALIVE) != 0;
 	world->proxy_free_count = world->proxy_used - world->proxy_count;
-	for (k = 0; k < world->contact_used; ++k) {
+	for (int32_t k = 0; k < world->contact_used; ++k) {
 		const cni_contact *c = cni_contact_at(world, k);
 		world->contact_count += c->body[0] != CNI_NONE;
 		world->contacts_reporting += c->body[0] != CNI_NONE && cni_contact_reports(c->flags);
 		world->touching_count += c->body[0] != CNI_NONE && (c->flags & CNI_CONTACT_TOUCHING);
 	}
-	for (k = 0; k < world->island_used; ++k)
+	for (int32_t k = 0; k < world->island_used; ++k)
 		world->island_count += cni_island_at(world, k)->first != CNI_NONE;
 }
 
 /* See record_take in model/contact.c: a free record has the indices of the five after it. */
 static void free_contacts_link(cn_world *world)
 {
-	int32_t contact = world->contact_free, k;
+	int32_t contact = world->contact_free;
 	while (contact != CNI_NONE) {
 		cni_contact *c = cni_contact_at(world, contact);
 		int32_t *const ahead[4] = { &c->next[0], &c->next[1], &c->prev[0], &c->prev[1] }, next = c->slot;
-		for (k = 0; k < 4; ++k) {
+		for (int32_t k = 0; k < 4; ++k) {
 			next = next != CNI_NONE ? cni_contact_at(world, next)->slot : CNI_NONE;
 			*ahead[k] = next;
 		}
@@ -265,11 +260,10 @@ void cni_file_counts(cn_world *world, cni_file *f)
 /* Where the shape has the proxy of a child; NULL: it cannot have one. */
 static int32_t *proxy_place(cn_world *world, cni_file *f, const cni_proxy *p)
 {
-	cni_shape *s;
-	int32_t child = cni_proxy_child(p), k;
+	int32_t child = cni_proxy_child(p);
 	if (!cni_handles_alive(&world->shape_handles, p->shape))
 		return NULL;
-	s = cni_shape_at(world, p->shape);
+	cni_shape *s = cni_shape_at(world, p->shape);
 	if (child >= cni_shape_children(&world->blocks, s) || !cni_handles_alive(&world->body_handles, s->body))
 		return NULL;
 	if (s->type != CN_SHAPE_CHAIN)
@@ -280,7 +274,7 @@ static int32_t *proxy_place(cn_world *world, cni_file *f, const cni_proxy *p)
 			cni_file_fail(f, CN_ERROR_MEMORY);
 			return NULL;
 		}
-		for (k = 0; k < cni_shape_children(&world->blocks, s); ++k)
+		for (int32_t k = 0; k < cni_shape_children(&world->blocks, s); ++k)
 			((int32_t *)cni_blocks_at(&world->blocks, s->box.proxies))[k] = CNI_NONE;
 	}
 	return (int32_t *)cni_blocks_at(&world->blocks, s->box.proxies) + child;
@@ -289,10 +283,9 @@ static int32_t *proxy_place(cn_world *world, cni_file *f, const cni_proxy *p)
 static void proxy_read(cn_world *world, cni_file *f, int32_t proxy)
 {
 	cni_proxy *p = cni_proxy_at(world, proxy);
-	int32_t *place;
 	if (!(p->flags & CNI_PROXY_ALIVE))
 		return;
-	place = proxy_place(world, f, p);
+	int32_t *place = proxy_place(world, f, p);
 	if (place == NULL || *place != CNI_NONE || (p->flags & CNI_PROXY_AGAIN)) {
 		cni_file_fail(f, CN_ERROR_FORMAT);
 		return;
@@ -314,11 +307,10 @@ static void broadphase_fill(cn_world *world)
 {
 	const cni_broadphase_ops *ops = world->broadphase_ops;
 	cni_broadphase_pairs none;
-	int32_t k, moved;
 	memset(&none, 0, sizeof none);
 	cni_array_init(&none.list, (int32_t)sizeof(cni_pair));
-	for (moved = 0; moved < 2; ++moved) {
-		for (k = 0; k < world->proxy_used; ++k) {
+	for (int32_t moved = 0; moved < 2; ++moved) {
+		for (int32_t k = 0; k < world->proxy_used; ++k) {
 			cni_proxy *p = cni_proxy_at(world, k);
 			cni_aabb old = p->old;
 			if (!(p->flags & CNI_PROXY_ALIVE) || ((p->flags & CNI_PROXY_MOVED) != 0) != moved)
@@ -357,8 +349,7 @@ static void contact_set_static(cn_world *world, cni_contact *c)
 
 int32_t cni_file_needs_extra(const cn_world *world)
 {
-	int32_t k;
-	for (k = 0; k < world->sleep_lanes.count; ++k)
+	for (int32_t k = 0; k < world->sleep_lanes.count; ++k)
 		if (cni_sleep_lane_needs_extra((const cni_sleep_lane *)world->sleep_lanes.data + k))
 			return 1;
 	return 0;
@@ -366,8 +357,7 @@ int32_t cni_file_needs_extra(const cn_world *world)
 
 void cni_file_contacts(cn_world *world, cni_file *f)
 {
-	int32_t k;
-	for (k = 0; k < world->contact_used && f->result == CN_OK; ++k)
+	for (int32_t k = 0; k < world->contact_used && f->result == CN_OK; ++k)
 		if (cni_contact_at(world, k)->body[0] != CNI_NONE)
 			contact_set_static(world, cni_contact_at(world, k));
 	if (f->result == CN_OK && cni_file_needs_extra(world))
@@ -376,7 +366,6 @@ void cni_file_contacts(cn_world *world, cni_file *f)
 
 void cni_file_boxes(cn_world *world, cni_file *f)
 {
-	int32_t k;
-	for (k = 0; k < world->proxy_used && f->result == CN_OK; ++k)
+	for (int32_t k = 0; k < world->proxy_used && f->result == CN_OK; ++k)
 		proxy_read(world, f, k);
 }

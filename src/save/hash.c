@@ -8,8 +8,7 @@
 
 static uint64_t hash_word(uint64_t hash, uint32_t word)
 {
-	int32_t k;
-	for (k = 0; k < 4; ++k)
+	for (int32_t k = 0; k < 4; ++k)
 		hash = (hash ^ (word >> 8 * k & 0xFFu)) * 0x100000001B3u;
 	return hash;
 }
@@ -20,8 +19,7 @@ static uint64_t hash_body(uint64_t hash, const cn_world *world, const cni_body *
 {
 	cn_velocity v = cni_body_velocity(world, b);
 	const float numbers[] = { b->cx, b->cy, b->cx_low, b->cy_low, b->q.c, b->q.s, v.linear_mps.x, v.linear_mps.y, v.angular_radps };
-	uint32_t k;
-	for (k = 0; k < sizeof numbers / sizeof numbers[0]; ++k)
+	for (uint32_t k = 0; k < sizeof numbers / sizeof numbers[0]; ++k)
 		hash = hash_float(hash, numbers[k]);
 	return hash_word(hash, b->awake != 0);
 }
@@ -29,11 +27,10 @@ static uint64_t hash_body(uint64_t hash, const cn_world *world, const cni_body *
 static uint64_t hash_contact(uint64_t hash, const cn_world *world, int32_t contact)
 {
 	cn_contact_event e;
-	int32_t k;
 	cni_contact_describe(world, contact, 0, &e);
 	hash = hash_word(hash, (uint32_t)contact);
 	hash = hash_float(hash, e.manifold.friction_impulse_Ns);
-	for (k = 0; k < e.manifold.point_count; ++k)
+	for (int32_t k = 0; k < e.manifold.point_count; ++k)
 		hash = hash_float(hash, e.manifold.points[k].normal_impulse_Ns);
 	return hash;
 }
@@ -53,15 +50,14 @@ static uint64_t hash_joint(uint64_t hash, const cn_world *world, int32_t joint)
 cn_result cn_world_hash(const cn_world *world, uint64_t *out_hash)
 {
 	uint64_t hash = 0xCBF29CE484222325u;
-	int32_t k;
 	if (world == NULL || out_hash == NULL)
 		return CN_ERROR_ARGUMENT;
-	for (k = cni_handles_next(&world->body_handles, 0); k != CNI_NONE; k = cni_handles_next(&world->body_handles, k + 1))
+	for (int32_t k = cni_handles_next(&world->body_handles, 0); k != CNI_NONE; k = cni_handles_next(&world->body_handles, k + 1))
 		hash = hash_body(hash, world, cni_body_at(world, k));
-	for (k = 0; k < world->contact_used; ++k)
+	for (int32_t k = 0; k < world->contact_used; ++k)
 		if (cni_contact_at(world, k)->flags & CNI_CONTACT_TOUCHING)
 			hash = hash_contact(hash, world, k);
-	for (k = cni_handles_next(&world->joint_handles, 0); k != CNI_NONE; k = cni_handles_next(&world->joint_handles, k + 1))
+	for (int32_t k = cni_handles_next(&world->joint_handles, 0); k != CNI_NONE; k = cni_handles_next(&world->joint_handles, k + 1))
 		hash = hash_joint(hash, world, k);
 	*out_hash = hash;
 	return CN_OK;

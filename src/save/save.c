@@ -39,10 +39,10 @@ static void rooms_pass(cn_world *world, cni_snapshot *s)
 /* Where no contact needs extra rows, they are all zero. */
 static void extra_pass(cn_world *world, cni_snapshot *s)
 {
-	int32_t used = cni_file_extra_count(world), k;
+	int32_t used = cni_file_extra_count(world);
 	uint64_t bytes = s->bytes + sizeof(int32_t);
 	if (s->mode == CNI_SNAPSHOT_LOAD && used == 0 && cni_table_capacity(&world->blocks_extra) > 0)
-		for (k = 0; k < world->block_used; ++k)
+		for (int32_t k = 0; k < world->block_used; ++k)
 			memset(cni_block_extra_at(world, k), 0, sizeof(cni_block_extra));
 	cni_snapshot_table(s, &world->blocks_extra, used);
 	if (cni_snapshot_reserves(s) && (s->bytes > bytes || cni_table_capacity(&world->blocks_extra) > 0))
@@ -76,8 +76,7 @@ static void handles_pass(cni_snapshot *s, cni_handles *handles)
 static void arrays_pass(cn_world *world, cni_snapshot *s)
 {
 	cni_array *array;
-	int32_t k;
-	for (k = 0; (array = cni_file_array(world, k)) != NULL; ++k)
+	for (int32_t k = 0; (array = cni_file_array(world, k)) != NULL; ++k)
 		cni_snapshot_array(s, array);
 	if (s->mode == CNI_SNAPSHOT_LOAD)
 		cni_events_forget_built(&world->events);
@@ -87,13 +86,12 @@ static void arrays_pass(cn_world *world, cni_snapshot *s)
 static void state_pass(cn_world *world, cni_snapshot *s)
 {
 	const cni_record *members = cni_file_kind(0);
-	int32_t k;
 	rooms_pass(world, s);
 	tables_pass(world, s);
 	handles_pass(s, &world->body_handles);
 	handles_pass(s, &world->shape_handles);
 	handles_pass(s, &world->joint_handles);
-	for (k = 0; k < members->count; ++k)
+	for (int32_t k = 0; k < members->count; ++k)
 		if (members->fields[k].kind != CNI_FIELD_DERIVED)
 			cni_snapshot_state(s, (uint8_t *)world + members->fields[k].offset, members->fields[k].count * CNI_FIELD_BYTES(members->fields[k].kind));
 	cni_snapshot_blocks(s, &world->blocks);
@@ -112,10 +110,9 @@ static uint64_t state_layout(void)
 		CN_VERSION_PATCH };
 	const cni_record *members = cni_file_kind(0);
 	uint64_t hash = 0xCBF29CE484222325u;
-	uint32_t k;
-	for (k = 0; k < sizeof sizes / sizeof sizes[0]; ++k)
+	for (uint32_t k = 0; k < sizeof sizes / sizeof sizes[0]; ++k)
 		hash = (hash ^ sizes[k]) * 0x100000001B3u;
-	for (k = 0; k < (uint32_t)members->count; ++k)
+	for (uint32_t k = 0; k < (uint32_t)members->count; ++k)
 		hash = (hash ^ ((uint64_t)members->fields[k].offset << 32 | members->fields[k].kind)) * 0x100000001B3u;
 	return hash;
 }
@@ -143,7 +140,6 @@ uint64_t cni_save_checksum(const void *from, uint64_t count)
 {
 	const uint8_t *bytes = (const uint8_t *)from;
 	uint64_t sum[4] = { 1, 2, 3, 4 }, word[4], k;
-	int32_t l;
 	for (k = 0; k + sizeof word <= count; k += sizeof word) {
 		memcpy(word, bytes + k, sizeof word);
 		sum[0] = mixed(sum[0], word[0]);
@@ -153,7 +149,7 @@ uint64_t cni_save_checksum(const void *from, uint64_t count)
 	}
 	for (; k < count; ++k)
 		sum[0] = mixed(sum[0], bytes[k]);
-	for (l = 1; l < 4; ++l)
+	for (int32_t l = 1; l < 4; ++l)
 		sum[0] = mixed(sum[0] * 0x9E3779B97F4A7C15u, sum[l]);
 	return sum[0];
 }
@@ -179,14 +175,12 @@ cn_result cn_world_save_size(const cn_world *world, uint64_t *out_bytes)
 
 cn_result cn_world_save(const cn_world *world, void *out, uint64_t capacity, uint64_t *out_bytes)
 {
-	cni_snapshot s;
-	header h;
 	uint64_t bytes;
 	cn_result sized = out != NULL ? cn_world_save_size(world, &bytes) : CN_ERROR_ARGUMENT;
 	if (sized != CN_OK || capacity < bytes)
 		return sized != CN_OK ? sized : CN_ERROR_CAPACITY;
-	h = header_of(world, bytes);
-	s = cni_snapshot_begin(CNI_SNAPSHOT_SAVE, (uint8_t *)out + sizeof h, NULL);
+	header h = header_of(world, bytes);
+	cni_snapshot s = cni_snapshot_begin(CNI_SNAPSHOT_SAVE, (uint8_t *)out + sizeof h, NULL);
 	state_pass((cn_world *)world, &s);
 	h.checksum = cni_save_checksum((const uint8_t *)out + sizeof h, s.bytes);
 	memcpy(out, &h, sizeof h);

@@ -147,13 +147,12 @@ cn_result cn_save_apply(const void *base, uint64_t base_bytes, const void *delta
 {
 	const uint8_t *from = (const uint8_t *)delta;
 	pair p = { (const uint8_t *)base, NULL, base_bytes / WORD, 0 };
-	uint64_t bytes, tail;
 	if (base == NULL || delta == NULL || out == NULL)
 		return CN_ERROR_ARGUMENT;
 	if (!delta_is_good(from, delta_bytes, base, base_bytes))
 		return CN_ERROR_FORMAT;
-	bytes = word_at(from, 3);
-	tail = bytes % WORD;
+	uint64_t bytes = word_at(from, 3);
+	uint64_t tail = bytes % WORD;
 	if (bytes > capacity)
 		return CN_ERROR_CAPACITY;
 	p.save_words = bytes / WORD;

@@ -53,8 +53,8 @@ typedef struct correction {
 /* Are there joints, or contacts between two movable bodies? */
 static int32_t has_pairs(const cn_world *world)
 {
-	int32_t color, pairs = world->awake_joints.count + world->colors[CNI_COLOR_OVERFLOW].lanes;
-	for (color = 0; color < CNI_COLOR_STATIC && pairs == 0; ++color)
+	int32_t pairs = world->awake_joints.count + world->colors[CNI_COLOR_OVERFLOW].lanes;
+	for (int32_t color = 0; color < CNI_COLOR_STATIC && pairs == 0; ++color)
 		pairs += world->colors[color].lanes;
 	return pairs > 0;
 }
@@ -70,11 +70,10 @@ static void held_by_contacts(const body_groups *p)
 {
 	const cn_world *world = p->world;
 	const cni_motion *motions = cni_motions(world);
-	int32_t color, block, l;
-	for (color = CNI_COLOR_STATIC; color < CNI_COLORS; ++color)
-		for (block = world->colors[color].first; block != CNI_NONE; block = cni_block_info_at(world, block)->next) {
+	for (int32_t color = CNI_COLOR_STATIC; color < CNI_COLORS; ++color)
+		for (int32_t block = world->colors[color].first; block != CNI_NONE; block = cni_block_info_at(world, block)->next) {
 			const cni_contact_block *k = cni_block_at(world, block);
-			for (l = 0; l < CNI_LANES; ++l)
+			for (int32_t l = 0; l < CNI_LANES; ++l)
 				if (k->ia[l] != 0 && motions[k->ib[l]].inv_mass == 0.0f)
 					island_hold(p, k->ia[l]);
 		}
@@ -83,8 +82,7 @@ static void held_by_contacts(const body_groups *p)
 static void held_by_joints(const body_groups *p)
 {
 	const cni_motion *motions = cni_motions(p->world);
-	int32_t k;
-	for (k = 0; k < p->world->awake_joints.count; ++k) {
+	for (int32_t k = 0; k < p->world->awake_joints.count; ++k) {
 		const cni_joint_constraint *w = cni_joint_constraints(p->world) + k;
 		if (motions[w->ia].inv_mass > 0.0f && motions[w->ib].inv_mass > 0.0f && w->record->type != CN_JOINT_GEAR && w->record->type != CN_JOINT_PULLEY)
 			continue; /* the record, which costs a cache miss, is read last */
@@ -99,9 +97,9 @@ static void held_by_joints(const body_groups *p)
 static int32_t roots_begin(const body_groups *p)
 {
 	const cni_external *externals = cni_externals(p->world);
-	int32_t k, count = 0;
+	int32_t count = 0;
 	p->root[0] = 0;
-	for (k = 1; k < p->world->awake_count; ++k) {
+	for (int32_t k = 1; k < p->world->awake_count; ++k) {
 		int32_t island = cni_awake_island_number(p->world, k);
 		p->root[k] = island != CNI_NONE && !p->held[island] ? k : 0;
 		count += p->root[k] != 0 && (externals[k].flags & (CNI_EXTERNAL_TOUCHED | CNI_EXTERNAL_FINISHED));
@@ -127,8 +125,7 @@ static void roots_join(int32_t *root, int32_t a, int32_t b)
 
 static void lanes_join(const body_groups *p, const cni_contact_block *k)
 {
-	int32_t l;
-	for (l = 0; l < CNI_LANES; ++l)
+	for (int32_t l = 0; l < CNI_LANES; ++l)
 		if (p->root[k->ia[l]] != 0 && p->root[k->ib[l]] != 0)
 			roots_join(p->root, k->ia[l], k->ib[l]);
 }
@@ -137,12 +134,12 @@ static void lanes_join(const body_groups *p, const cni_contact_block *k)
 static void roots_of_contacts(const body_groups *p)
 {
 	const cn_world *world = p->world;
-	int32_t block, color, all = !cni_blocks_are_few(world);
-	for (block = 0; block < world->block_used && all; ++block)
+	int32_t all = !cni_blocks_are_few(world);
+	for (int32_t block = 0; block < world->block_used && all; ++block)
 		if (cni_block_info_at(world, block)->color != CNI_NONE)
 			lanes_join(p, cni_block_at(world, block));
-	for (color = 0; color < CNI_COLORS && !all; ++color)
-		for (block = world->colors[color].first; block != CNI_NONE; block = cni_block_info_at(world, block)->next)
+	for (int32_t color = 0; color < CNI_COLORS && !all; ++color)
+		for (int32_t block = world->colors[color].first; block != CNI_NONE; block = cni_block_info_at(world, block)->next)
 			lanes_join(p, cni_block_at(world, block));
 }
 
@@ -150,9 +147,8 @@ static void roots_of_contacts(const body_groups *p)
 static void roots_find(const body_groups *p)
 {
 	const cn_world *world = p->world;
-	int32_t k;
 	roots_of_contacts(p);
-	for (k = 0; k < world->awake_joints.count; ++k) {
+	for (int32_t k = 0; k < world->awake_joints.count; ++k) {
 		const cni_joint_constraint *w = cni_joint_constraints(world) + k;
 		if (p->root[w->ia] != 0 && p->root[w->ib] != 0 && w->record->linked)
 			roots_join(p->root, w->ia, w->ib);
@@ -162,18 +158,18 @@ static void roots_find(const body_groups *p)
 /* Sorts bodies by root. A body's root is lower, so its own root is final. */
 static void bodies_find(const body_groups *p)
 {
-	int32_t k, count = p->world->awake_count, begin = 0;
+	int32_t count = p->world->awake_count, begin = 0;
 	memset(p->end, 0, sizeof(int32_t) * (size_t)count);
-	for (k = 1; k < count; ++k) {
+	for (int32_t k = 1; k < count; ++k) {
 		p->root[k] = p->root[p->root[k]];
 		++p->end[p->root[k]];
 	}
-	for (k = 1; k < count; ++k) {
+	for (int32_t k = 1; k < count; ++k) {
 		int32_t members = p->end[k];
 		p->end[k] = begin;
 		begin += p->root[k] == k ? members : 0;
 	}
-	for (k = 1; k < count; ++k)
+	for (int32_t k = 1; k < count; ++k)
 		if (p->root[k] != 0)
 			p->bodies[p->end[p->root[k]]++] = k;
 }
@@ -183,8 +179,7 @@ static int32_t is_isolated(const cn_world *world, const body_group *p)
 {
 	const cni_external *externals = cni_externals(world), *of_first = &externals[p->bodies[0]];
 	uint32_t flags = 0;
-	int32_t k;
-	for (k = 0; k < p->count; ++k) {
+	for (int32_t k = 0; k < p->count; ++k) {
 		const cni_external *d = &externals[p->bodies[k]];
 		if (d->ax != of_first->ax || d->ay != of_first->ay || d->alpha != 0.0f || cni_motions(world)[p->bodies[k]].inv_inertia == 0.0f)
 			return 0;
@@ -201,8 +196,7 @@ static const cni_body *body_at(const cn_world *world, int32_t index)
 static void means_find(const cn_world *world, const body_group *p, correction *t)
 {
 	const cni_body *first = body_at(world, p->bodies[0]);
-	int32_t k;
-	for (k = 0; k < p->count; ++k) {
+	for (int32_t k = 0; k < p->count; ++k) {
 		const cni_body *b = body_at(world, p->bodies[k]);
 		const cni_motion *m = cni_motions(world) + p->bodies[k];
 		float mass = 1.0f / m->inv_mass;
@@ -231,8 +225,7 @@ static cni_vec2 arm_change(const correction *t, const cni_motion *m)
 static void lost_find(const cn_world *world, const body_group *p, correction *t)
 {
 	const cni_body *first = body_at(world, p->bodies[0]);
-	int32_t k;
-	for (k = 0; k < p->count; ++k) {
+	for (int32_t k = 0; k < p->count; ++k) {
 		const cni_body *b = body_at(world, p->bodies[k]);
 		const cni_motion *m = cni_motions(world) + p->bodies[k];
 		float mass = 1.0f / m->inv_mass, inertia = 1.0f / m->inv_inertia;
@@ -248,8 +241,7 @@ static void correction_apply(const cn_world *world, const body_group *p, const c
 {
 	const cni_body *first = body_at(world, p->bodies[0]);
 	float w = -t->lost / t->inertia;
-	int32_t k;
-	for (k = 0; k < p->count; ++k) {
+	for (int32_t k = 0; k < p->count; ++k) {
 		const cni_body *b = body_at(world, p->bodies[k]);
 		cni_motion *m = cni_motions(world) + p->bodies[k];
 		cni_vec2 r = cni_add(cni_sub(cni_body_a_to_b(first, b), t->center), arm_change(t, m));
@@ -273,8 +265,8 @@ static void group_restore(const cn_world *world, const body_group *p)
 /* Groups are in the order of their roots. */
 static void groups_restore(const body_groups *p)
 {
-	int32_t k, begin = 0;
-	for (k = 1; k < p->world->awake_count; ++k) {
+	int32_t begin = 0;
+	for (int32_t k = 1; k < p->world->awake_count; ++k) {
 		const body_group one = { p->bodies + begin, p->end[k] - begin };
 		if (p->root[k] != k)
 			continue;

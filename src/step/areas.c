@@ -13,7 +13,6 @@
  */
 #include "step/stages.h"
 #include "base/sort.h"
-#include "collision/distance.h"
 #include "geometry/medium.h"
 
 #include <string.h>
@@ -33,8 +32,8 @@ static int32_t visit_shape(uint64_t key) { return (int32_t)(key & 0xFFFFFu); }
 static void visits_of_area(visits *v, int32_t area)
 {
 	cn_world *world = v->world;
-	int32_t shape = cni_areas(world)[area].shape, key;
-	for (key = cni_contact_first_of_shape(world, shape); key != CNI_NONE; key = cni_contact_next_of_shape(world, key, shape)) {
+	int32_t shape = cni_areas(world)[area].shape;
+	for (int32_t key = cni_contact_first_of_shape(world, shape); key != CNI_NONE; key = cni_contact_next_of_shape(world, key, shape)) {
 		const cni_contact *c = cni_contact_of_key(world, key);
 		const cni_body *b = cni_body_at(world, c->body[1 - (key & 1)]);
 		if (!(c->flags & CNI_CONTACT_SENSING) || b->type != CN_BODY_DYNAMIC || b->awake == 0)
@@ -47,10 +46,9 @@ static void visits_of_area(visits *v, int32_t area)
 
 static void visits_find(visits *v, uint64_t *keys)
 {
-	int32_t k;
 	v->keys = keys;
 	v->count = 0;
-	for (k = 0; k < v->world->areas.count; ++k)
+	for (int32_t k = 0; k < v->world->areas.count; ++k)
 		visits_of_area(v, k);
 }
 
@@ -67,13 +65,11 @@ static place place_make(const visits *v, const cni_body *b, const cni_motion *m,
 {
 	const cn_world *world = v->world;
 	const cni_shape *s = cni_shape_at(world, a->shape);
-	cn_velocity carry;
-	cni_vec2 between;
 	place p;
 	p.sensor = cni_body_at(world, s->body);
 	p.geometry = cni_shape_geometry(&world->blocks, s);
-	carry = cni_body_velocity(world, p.sensor);
-	between = cni_body_a_to_b(p.sensor, b);
+	cn_velocity carry = cni_body_velocity(world, p.sensor);
+	cni_vec2 between = cni_body_a_to_b(p.sensor, b);
 	p.velocity = cni_madd(carry.linear_mps, carry.angular_radps, cni_left_perp(between));
 	between = cni_madd(between, 0.5f * v->dt, cni_sub(cni_v(m->vx, m->vy), p.velocity));
 	p.center = cni_add(cni_unrotate(p.sensor->q, between), p.sensor->local_center);
@@ -115,16 +111,14 @@ static void damping_add(cni_medium_force *f, const cni_body *b, const cni_motion
 /* Gravity, and damping without a medium: areas that have the centre. */
 static void field_of_center(field *f, const visits *v, int32_t begin, int32_t end, const cni_body *b, const cni_motion *m)
 {
-	int32_t k;
 	f->first = begin;
 	f->gravity = v->world->settings.gravity;
 	memset(&f->force, 0, sizeof f->force);
-	for (k = begin; k < end; ++k) {
+	for (int32_t k = begin; k < end; ++k) {
 		const cni_area *a = visit_area(v, k);
-		place p;
 		if (k > begin && v->keys[k] >> 20 == v->keys[k - 1] >> 20)
 			continue; /* the same area */
-		p = place_make(v, b, m, a);
+		place p = place_make(v, b, m, a);
 		if (!cni_geometry_contains(p.geometry, p.center))
 			continue;
 		if (a->def.flags & CN_AREA_REPLACE) {
@@ -166,12 +160,11 @@ static void medium_of_area(field *f, const visits *v, int32_t k, cni_in_medium *
 static void field_of_parts(field *f, const visits *v, int32_t end, const cni_body *b, const cni_motion *m)
 {
 	cni_in_medium in;
-	int32_t k;
 	in.center = b->local_center;
 	in.q = cni_rot_mul(b->q, cni_rot_small(0.5f * v->dt * m->w));
 	in.velocity = cni_v(m->vx, m->vy);
 	in.spin = m->w;
-	for (k = f->first; k < end; ++k) {
+	for (int32_t k = f->first; k < end; ++k) {
 		const cni_area *a = visit_area(v, k);
 		if ((a->def.density_kgpm2 != 0.0f || a->def.drag_kgpm2 != 0.0f || a->def.lift_kgpm2 != 0.0f) && (k == f->first || v->keys[k] != v->keys[k - 1]))
 			medium_of_area(f, v, k, &in, b, m);
@@ -185,7 +178,6 @@ static void field_of_parts(field *f, const visits *v, int32_t end, const cni_bod
 static void stiffness_soften(cni_medium_force *f, cni_medium_force *soft, const cni_body *b, const cni_motion *m, cni_vec2 up, float dt)
 {
 	float stiff = f->heave / b->mass + (m->inv_inertia > 0.0f ? f->roll / b->inertia : 0.0f), excess = (0.5f * dt * dt * stiff - 1.0f) / dt, r, speed;
-	int32_t i, j;
 	memset(soft, 0, sizeof *soft);
 	if (excess <= 0.0f)
 		return;
@@ -198,8 +190,8 @@ static void stiffness_soften(cni_medium_force *f, cni_medium_force *soft, const 
 	f->drag[0] += r * speed * up.x;
 	f->drag[1] += r * speed * up.y;
 	f->drag[2] -= excess * b->inertia * m->w;
-	for (i = 0; i < 3; ++i)
-		for (j = 0; j < 3; ++j)
+	for (int32_t i = 0; i < 3; ++i)
+		for (int32_t j = 0; j < 3; ++j)
 			f->resist[i][j] += soft->resist[i][j];
 }
 
@@ -211,18 +203,17 @@ static void body_solve(const visits *v, const cni_body *b, cni_medium_force *f, 
 {
 	cni_medium_force forces = *soft;
 	float of_forces[3];
-	int32_t k;
 	if (b->lanes == 0 && b->joint_first == CNI_NONE) {
 		cni_medium_solve(f, mass, v->dt, change);
 		return;
 	}
-	for (k = 0; k < 3; ++k) {
+	for (int32_t k = 0; k < 3; ++k) {
 		forces.force[k] = f->force[k];
 		forces.drag[k] = f->force[k] = 0.0f;
 	}
 	cni_medium_solve(&forces, mass, v->dt, of_forces);
 	cni_medium_solve(f, mass, v->dt, change);
-	for (k = 0; k < 3; ++k)
+	for (int32_t k = 0; k < 3; ++k)
 		change[k] += of_forces[k];
 }
 
@@ -257,17 +248,16 @@ static void body_accelerate(const visits *v, int32_t begin, int32_t end)
 void cni_areas_accelerate(cn_world *world, float dt)
 {
 	visits v = { world, NULL, 0, dt };
-	uint64_t *keys;
-	int32_t k, begin = 0;
+	int32_t begin = 0;
 	visits_find(&v, NULL);
 	if (v.count == 0)
 		return;
-	keys = (uint64_t *)cni_scratch_push(world, sizeof(uint64_t) * 2u * (uint64_t)v.count);
+	uint64_t *keys = (uint64_t *)cni_scratch_push(world, sizeof(uint64_t) * 2u * (uint64_t)v.count);
 	if (keys == NULL)
 		return;
 	visits_find(&v, keys);
 	cni_sort_keys(keys, keys + v.count, v.count);
-	for (k = 1; k <= v.count; ++k) {
+	for (int32_t k = 1; k <= v.count; ++k) {
 		if (k < v.count && visit_body(keys[k]) == visit_body(keys[begin]))
 			continue;
 		body_accelerate(&v, begin, k);

@@ -80,19 +80,17 @@ static int32_t body_rests(const rest *r, int32_t k)
 {
 	const cni_motion *m = cni_motions(r->world) + k;
 	const cni_external *d = cni_externals(r->world) + k;
-	const cni_body *b;
-	float most, vx, vy, turn;
 	if (m->inv_mass == 0.0f || (d->flags & CNI_EXTERNAL_DEFERRED))
 		return !(d->flags & CNI_EXTERNAL_DEFERRED);
-	b = cni_body_at(r->world, cni_awake_ids(r->world)[k]);
+	const cni_body *b = cni_body_at(r->world, cni_awake_ids(r->world)[k]);
 	if (!is_within(0.0f, 0.0f, m->w * b->extent, r->speed_sq) || !is_within(m->dpx, m->dpy, m->theta * b->extent, r->move_sq))
 		return 0;
-	vx = m->vx - b->vx;
-	vy = m->vy - b->vy;
-	turn = (m->w - b->w) * b->extent;
+	float vx = m->vx - b->vx;
+	float vy = m->vy - b->vy;
+	float turn = (m->w - b->w) * b->extent;
 	if (is_within(vx, vy, turn, r->residual_sq))
 		return 1;
-	most = most_left(r, k, b->extent);
+	float most = most_left(r, k, b->extent);
 	return is_within(vx, vy, turn, most * most);
 }
 
@@ -117,8 +115,7 @@ static int32_t is_moving(const rest *r, int32_t island)
 static void slow_find(rest *r)
 {
 	const cni_motion *motions = cni_motions(r->world);
-	int32_t k;
-	for (k = 1; k < r->world->awake_count; ++k) {
+	for (int32_t k = 1; k < r->world->awake_count; ++k) {
 		int32_t island = cni_awake_island_number(r->world, k);
 		if (motions[k].inv_mass == 0.0f && !stands_still(&motions[k]))
 			r->carried += carried_mark(r, k);
@@ -144,8 +141,7 @@ static void record_prefetch(const rest *r, int32_t k)
 static void rests_range(void *context, int32_t begin, int32_t end)
 {
 	const rest *r = (const rest *)context;
-	int32_t n;
-	for (n = begin; n < end; ++n) {
+	for (int32_t n = begin; n < end; ++n) {
 		int32_t island = cni_awake_island_number(r->world, r->slow[n]);
 		if (n + RECORDS_AHEAD < end)
 			record_prefetch(r, r->slow[n + RECORDS_AHEAD]);
@@ -161,9 +157,9 @@ static void rests_range(void *context, int32_t begin, int32_t end)
 /* Checks the slow bodies of islands that may rest, and returns how many rest. Bodies without an island are finished here. */
 static int32_t moving_find(rest *r)
 {
-	int32_t n, count = 0;
+	int32_t count = 0;
 	cni_team_for(r->team, r->slow_count, BODIES_A_RANGE, rests_range, r);
-	for (n = 0; n < r->slow_count; ++n) {
+	for (int32_t n = 0; n < r->slow_count; ++n) {
 		int32_t k = r->slow[n], island = cni_awake_island_number(r->world, k);
 		if (k == 0 || is_moving(r, island))
 			continue;
@@ -180,12 +176,10 @@ static int32_t moving_find(rest *r)
 static void islands_done(rest *r)
 {
 	cni_external *externals = cni_externals(r->world);
-	int32_t k;
-	for (k = 1; k < r->world->awake_count; ++k) {
-		int32_t island;
+	for (int32_t k = 1; k < r->world->awake_count; ++k) {
 		if (externals[k].flags & (CNI_EXTERNAL_FREE | CNI_EXTERNAL_FINISHED))
 			continue;
-		island = may_rest(r, k) ? cni_awake_island_number(r->world, k) : CNI_NONE;
+		int32_t island = may_rest(r, k) ? cni_awake_island_number(r->world, k) : CNI_NONE;
 		if (island == CNI_NONE || r->moving[island]) {
 			r->active = 1;
 			continue;
@@ -202,8 +196,7 @@ static int32_t is_active(const cni_external *externals, int32_t k)
 
 static int32_t block_is_active(const cni_external *externals, const cni_listed_block *b)
 {
-	int32_t l;
-	for (l = 0; l < b->lanes; ++l)
+	for (int32_t l = 0; l < b->lanes; ++l)
 		if (is_active(externals, b->rows->ia[l]) || is_active(externals, b->rows->ib[l]))
 			return 1;
 	return 0;
@@ -221,10 +214,10 @@ static void block_prefetch(const cni_listed_block *b, int32_t active)
 /* Keeps the blocks begin .. end - 1 of a colour's list, behind those kept so far, if one is active. Returns how many. */
 static int32_t group_unlist(const cni_external *externals, cni_listed_block *list, int32_t begin, int32_t end, int32_t kept, int32_t active)
 {
-	int32_t k, is_kept = 0;
-	for (k = begin; k < end && active && !is_kept; ++k)
+	int32_t is_kept = 0;
+	for (int32_t k = begin; k < end && active && !is_kept; ++k)
 		is_kept = block_is_active(externals, &list[k]);
-	for (k = begin; k < end; ++k) {
+	for (int32_t k = begin; k < end; ++k) {
 		if (is_kept)
 			list[kept + k - begin] = list[k];
 		else
@@ -237,11 +230,10 @@ static void blocks_unlist(cn_world *world, int32_t active)
 {
 	const cni_external *externals = cni_externals(world);
 	cni_listed_block *list = (cni_listed_block *)world->block_list.data;
-	int32_t color, k;
-	for (color = 0; color < CNI_COLORS; ++color) {
+	for (int32_t color = 0; color < CNI_COLORS; ++color) {
 		cni_color *c = &world->colors[color];
 		int32_t kept = 0;
-		for (k = 0; k < c->listed_count; k += CNI_BLOCKS_A_GROUP) {
+		for (int32_t k = 0; k < c->listed_count; k += CNI_BLOCKS_A_GROUP) {
 			if (k + BLOCKS_AHEAD < c->listed_count)
 				block_prefetch(&list[c->listed + k + BLOCKS_AHEAD], active);
 			kept += group_unlist(externals, list + c->listed, k, cni_min_i(k + CNI_BLOCKS_A_GROUP, c->listed_count), kept, active);
@@ -253,8 +245,7 @@ static void blocks_unlist(cn_world *world, int32_t active)
 /* A system of contacts is an island or a part of one: its first body decides. */
 static void systems_done(const cn_world *world, cni_sparse *direct)
 {
-	int32_t k;
-	for (k = 0; direct != NULL && k < direct->component_count; ++k) {
+	for (int32_t k = 0; direct != NULL && k < direct->component_count; ++k) {
 		cni_component *c = &direct->components[k];
 		if (c->has_contacts && c->joints == 0 && !is_active(cni_externals(world), direct->bodies[c->body_begin]))
 			c->done = 1;
@@ -264,7 +255,6 @@ static void systems_done(const cn_world *world, cni_sparse *direct)
 static void rest_run(rest *r, const cni_solve *s)
 {
 	float speed = CNI_REST_SPEED * r->world->settings.length_unit;
-	int32_t k;
 	r->h = s->h;
 	r->residual = 0.001f * speed;
 	r->solved = CNI_REST_SOLVED_PART * speed;
@@ -279,7 +269,7 @@ static void rest_run(rest *r, const cni_solve *s)
 		blocks_unlist(r->world, r->active);
 		systems_done(r->world, s->direct);
 	}
-	for (k = 0; k < r->world->awake_count && r->carried > 0; ++k)
+	for (int32_t k = 0; k < r->world->awake_count && r->carried > 0; ++k)
 		cni_externals(r->world)[k].flags &= ~(uint32_t)CNI_EXTERNAL_DEFERRED;
 }
 

@@ -6,8 +6,7 @@
 
 void cni_stage_events(cn_world *world)
 {
-	int32_t kind, k;
-	for (kind = 0; kind < CN_EVENT_KINDS; ++kind) {
+	for (int32_t kind = 0; kind < CN_EVENT_KINDS; ++kind) {
 		cn_contact_event_fn *callback = world->events.callback[kind];
 		if (callback == NULL)
 			continue;
@@ -17,7 +16,7 @@ void cni_stage_events(cn_world *world)
 			continue;
 		}
 		++world->locked;
-		for (k = 0; k < world->events.seen[kind].count; ++k)
+		for (int32_t k = 0; k < world->events.seen[kind].count; ++k)
 			callback(world, (const cn_contact_event *)world->events.seen[kind].data + k, world->events.callback_user[kind]);
 		--world->locked;
 	}

@@ -122,8 +122,7 @@ static uint32_t body_rest(cn_world *world, cni_body *b, int32_t k, const cni_sol
 
 void cni_poses_take(cn_world *world)
 {
-	int32_t k;
-	for (k = 1; k < world->awake_count; ++k) {
+	for (int32_t k = 1; k < world->awake_count; ++k) {
 		take_pose(world, cni_awake_ids(world)[k], cni_motions(world) + k);
 		(void)cni_body_boxes_set(world, cni_body_at(world, cni_awake_ids(world)[k]), cni_v(0.0f, 0.0f), world);
 	}
@@ -140,10 +139,9 @@ static uint32_t body_take(cn_world *world, const cni_solve *s, int32_t k, uint32
 {
 	cni_motion *m = cni_motions(world) + k;
 	cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
-	int32_t pushed;
 	if (limit_speed(m, &world->settings))
 		(void)cni_atomic_add(&world->bodies_stopped, 1u);
-	pushed = body_is_pushed(world, s, b, k);
+	int32_t pushed = body_is_pushed(world, s, b, k);
 	take_pose(world, cni_awake_ids(world)[k], m);
 	*rested |= body_rest(world, b, k, s, pushed);
 	return !cni_body_has_room(b, way_ahead(world, s, k));
@@ -195,13 +193,12 @@ static void body_boxes_follow(const pose_loop *loop, int32_t k, int32_t no_room)
 /* Asks for what checking the boxes of some near bodies (bits from begin on) reads: first all shapes, then all that these lead to. */
 CNI_INLINE void boxes_prefetch(const cn_world *world, int32_t begin, uint64_t bodies)
 {
-	uint64_t left;
-	for (left = bodies; left != 0; ) {
+	for (uint64_t left = bodies; left != 0; ) {
 		const cni_shape *s = cni_shape_at(world, cni_max_i(cni_body_at(world, cni_awake_ids(world)[begin + bit_take(&left)])->shape_first, 0));
 		CNI_PREFETCH(s);
 		CNI_PREFETCH((const char *)(s + 1) - 1);
 	}
-	for (left = bodies; left != 0; ) {
+	for (uint64_t left = bodies; left != 0; ) {
 		int32_t shape = cni_body_at(world, cni_awake_ids(world)[begin + bit_take(&left)])->shape_first;
 		const cni_shape *s = shape != CNI_NONE ? cni_shape_at(world, shape) : NULL;
 		if (s == NULL || s->type == CN_SHAPE_CHAIN || s->box.proxy == CNI_NONE)
@@ -216,14 +213,13 @@ static void pose_range(void *context, int32_t begin, int32_t end)
 {
 	pose_loop *loop = (pose_loop *)context;
 	uint32_t rested = 0;
-	int32_t first, last, k;
-	for (first = begin + 1; first <= end; first = last) {
-		uint64_t no_room;
+	int32_t last;
+	for (int32_t first = begin + 1; first <= end; first = last) {
 		last = cni_min_i(first + BODIES_NEAR, end + 1);
-		no_room = bodies_take(loop->world, loop->s, first, last, &rested);
+		uint64_t no_room = bodies_take(loop->world, loop->s, first, last, &rested);
 		if (loop->world->awake_count >= BODIES_MANY)
 			boxes_prefetch(loop->world, first, no_room);
-		for (k = first; k < last && (no_room != 0 || loop->set != NULL); ++k, no_room >>= 1)
+		for (int32_t k = first; k < last && (no_room != 0 || loop->set != NULL); ++k, no_room >>= 1)
 			body_boxes_follow(loop, k, (int32_t)(no_room & 1u));
 	}
 	if (rested)
@@ -232,8 +228,7 @@ static void pose_range(void *context, int32_t begin, int32_t end)
 
 static void boxes_tell(cn_world *world, const int32_t *set)
 {
-	int32_t k;
-	for (k = 1; k < world->awake_count; ++k)
+	for (int32_t k = 1; k < world->awake_count; ++k)
 		if (set[k] != CNI_BOXES_NONE)
 			cni_body_boxes_tell(world, cni_body_at(world, cni_awake_ids(world)[k]), set[k]);
 }

@@ -22,7 +22,6 @@ CNI_INLINE int32_t lanes_load(const cn_world *world, int32_t k, body_lanes *f)
 	const cni_settings *set = &world->settings;
 	float *records[CNI_WIDTH], turn_reach[CNI_WIDTH];
 	cni_wide unused;
-	int32_t l;
 	f->m = cni_motions(world) + k;
 	cni_wide_gather4(&f->m->vx, stride, row, &f->vx, &f->vy, &f->w, &unused);
 	cni_wide_gather4(&f->m->dpx, stride, row, &f->dx, &f->dy, &f->turn, &unused);
@@ -30,7 +29,7 @@ CNI_INLINE int32_t lanes_load(const cn_world *world, int32_t k, body_lanes *f)
 	if (cni_mask_bits((f->v_sq <= cni_wide_of(set->linear_speed_max * set->linear_speed_max)) & (cni_wide_abs(f->w) <= cni_wide_of(set->angular_speed_max)) &
 	                  (cni_wide_abs(f->turn) <= cni_wide_of(CNI_NEAR_RAD))) != ALL_LANES)
 		return 0;
-	for (l = 0; l < CNI_WIDTH; ++l) {
+	for (int32_t l = 0; l < CNI_WIDTH; ++l) {
 		f->b[l] = cni_body_at(world, ids[l]);
 		records[l] = (float *)(void *)f->b[l];
 		turn_reach[l] = cni_body_turn_reach(f->b[l]);
@@ -52,8 +51,7 @@ CNI_INLINE void lanes_show(const cn_world *world, int32_t k, cni_mask moved, cni
 {
 	const int32_t *ids = cni_awake_ids(world) + k;
 	float *shown[CNI_WIDTH];
-	int32_t l;
-	for (l = 0; l < CNI_WIDTH; ++l) {
+	for (int32_t l = 0; l < CNI_WIDTH; ++l) {
 		cn_body_moved *to = cni_readback_at(world, ids[l]);
 		shown[l] = (float *)(void *)&to->pose;
 		to->fell_asleep = (uint32_t)moved[l] & (world->step_count + 1u);
@@ -67,9 +65,7 @@ CNI_INLINE cni_wide lanes_poses(const cn_world *world, int32_t k, const body_lan
 	const int32_t at_center = (int32_t)(offsetof(cni_body, cx) / sizeof(float)), at_rotation = (int32_t)(offsetof(cni_body, q) / sizeof(float));
 	float *records[CNI_WIDTH];
 	cni_wide x, y, x_low, y_low, c, s, lx, ly, before_x, before_y, after_x, after_y, turn_c, turn_s, new_c, new_s, length;
-	cni_mask turns, same;
-	int32_t l;
-	for (l = 0; l < CNI_WIDTH; ++l)
+	for (int32_t l = 0; l < CNI_WIDTH; ++l)
 		records[l] = (float *)(void *)f->b[l];
 	cni_wide_gather4_from((const float *const *)records, at_center, &x, &y, &x_low, &y_low);
 	cni_wide_gather4_from((const float *const *)records, at_rotation, &c, &s, &lx, &ly);
@@ -81,18 +77,18 @@ CNI_INLINE cni_wide lanes_poses(const cn_world *world, int32_t k, const body_lan
 	new_c = c * turn_c - s * turn_s;
 	new_s = s * turn_c + c * turn_s;
 	length = cni_wide_sqrt(new_c * new_c + new_s * new_s);
-	turns = f->turn != cni_wide_of(0.0f);
+	cni_mask turns = f->turn != cni_wide_of(0.0f);
 	new_c = cni_wide_select(turns, new_c / length, c);
 	new_s = cni_wide_select(turns, new_s / length, s);
 	after_x = x - (new_c * lx - new_s * ly) + x_low;
 	after_y = y - (new_s * lx + new_c * ly) + y_low;
-	same = (before_x == after_x) & (before_y == after_y) & (c == new_c) & (s == new_s);
+	cni_mask same = (before_x == after_x) & (before_y == after_y) & (c == new_c) & (s == new_s);
 	*moved = ~same;
 	cni_wide_scatter4_to(records, at_center, x, y, x_low, y_low);
 	cni_wide_scatter2_to(records, at_rotation, new_c, new_s);
 	if (world->readback_kept)
 		lanes_show(world, k, *moved, after_x, after_y, new_c, new_s);
-	for (l = 0; l < CNI_WIDTH; ++l)
+	for (int32_t l = 0; l < CNI_WIDTH; ++l)
 		f->m[l].dpx = f->m[l].dpy = f->m[l].theta = 0.0f;
 	return cni_wide_max(cni_wide_abs(f->dx), cni_wide_abs(f->dy)) + cni_wide_abs(f->turn) * f->turn_reach +
 	       cni_wide_of(CNI_BODY_ROUNDING) * (cni_wide_abs(x) + cni_wide_abs(y) + f->extent);
@@ -103,11 +99,10 @@ CNI_INLINE uint32_t lanes_rooms(const body_lanes *f, cni_wide taken, cni_mask mo
 {
 	cni_wide step = cni_wide_of(dt), ahead = cni_wide_max(cni_wide_abs(step * f->vx), cni_wide_abs(step * f->vy));
 	cni_mask room, flags = moved & ((int32_t)CNI_BODY_MOVED - (cni_mask){ 0 });
-	int32_t l;
-	for (l = 0; l < CNI_WIDTH; ++l)
+	for (int32_t l = 0; l < CNI_WIDTH; ++l)
 		room[l] = f->b[l]->room;
 	room = (cni_mask)cni_wide_max((cni_wide)(room << 16) - taken, cni_wide_of(0.0f)) >> 16;
-	for (l = 0; l < CNI_WIDTH; ++l) {
+	for (int32_t l = 0; l < CNI_WIDTH; ++l) {
 		f->b[l]->room = (uint16_t)room[l];
 		f->b[l]->flags = (f->b[l]->flags & ~CNI_BODY_OF_THE_WAY) | (uint32_t)flags[l];
 	}
@@ -119,10 +114,9 @@ CNI_INLINE cni_mask lanes_accelerate(const cn_world *world, int32_t k, const bod
 {
 	const int32_t row[8] = { 0, 1, 2, 3, 4, 5, 6, 7 };
 	cni_wide start_x, start_y, ax, ay, dx, dy, most_sq, flags, w, jumped, alpha, step = cni_wide_of(h), zero = cni_wide_of(0.0f);
-	cni_mask is_free;
 	cni_wide_gather4(&cni_starts(world)[k].vx, (int32_t)(sizeof(cni_velocity_start) / sizeof(float)), row, &start_x, &start_y, &w, &jumped);
 	cni_wide_gather4(&cni_externals(world)[k].ax, (int32_t)(sizeof(cni_external) / sizeof(float)), row, &ax, &ay, &alpha, &flags);
-	is_free = ((cni_mask)flags & ((int32_t)CNI_EXTERNAL_FREE - (cni_mask){ 0 })) != (cni_mask){ 0 };
+	cni_mask is_free = ((cni_mask)flags & ((int32_t)CNI_EXTERNAL_FREE - (cni_mask){ 0 })) != (cni_mask){ 0 };
 	ax = step * ax;
 	ay = step * ay;
 	dx = f->vx - start_x + ax;
@@ -192,16 +186,14 @@ static cni_poses_taken kernel_poses(cn_world *world, const cni_solve *s, int32_t
 	int32_t k;
 	for (k = begin; k + CNI_WIDTH <= end; k += CNI_WIDTH) {
 		cni_mask moved;
-		cni_wide taken;
-		rest_state r;
 		body_lanes f;
 		if (!lanes_load(world, k, &f)) {
 			out.left |= (uint64_t)ALL_LANES << (k - begin);
 			continue;
 		}
-		taken = lanes_poses(world, k, &f, &moved);
+		cni_wide taken = lanes_poses(world, k, &f, &moved);
 		out.no_room |= (uint64_t)lanes_rooms(&f, taken, moved, s->dt) << (k - begin);
-		r = lanes_rest(world, s, k, &f);
+		rest_state r = lanes_rest(world, s, k, &f);
 		out.rest |= (uint64_t)r.left << (k - begin);
 		out.pushed |= (uint64_t)r.pushed << (k - begin);
 		out.rested |= r.rested;

@@ -25,8 +25,7 @@
 /* Has the body a joint that is solved? Filters and joints to a disabled body are not. */
 static int32_t body_is_jointed(const cn_world *world, const cni_body *b)
 {
-	int32_t key;
-	for (key = b->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1])
+	for (int32_t key = b->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1])
 		if (cni_joint_at(world, key >> 1)->awake != CNI_NONE)
 			return 1;
 	return 0;
@@ -84,8 +83,7 @@ static void fly_damped(cni_motion *m, const cni_external *d, const cni_body *b, 
 {
 	float linear = cni_damping_factor(b->linear_damping, s->h), angular = cni_damping_factor(b->angular_damping, s->h);
 	float half = 0.5f * s->h;
-	int32_t k;
-	for (k = 0; k < s->substeps; ++k) {
+	for (int32_t k = 0; k < s->substeps; ++k) {
 		float vx = linear * (m->vx + s->h * d->ax), vy = linear * (m->vy + s->h * d->ay), w = angular * (m->w + s->h * d->alpha);
 		m->dpx += half * (m->vx + vx);
 		m->dpy += half * (m->vy + vy);
@@ -138,8 +136,8 @@ static void external_range(void *context, int32_t begin, int32_t end)
 	const cn_world *world = pass->world;
 	cni_motion *motions = cni_motions(world);
 	cni_external *externals = cni_externals(world);
-	int32_t *islands = world->awake_islands, in_areas = cni_has_areas(world), k;
-	for (k = begin + 1; k <= end; ++k) {
+	int32_t *islands = world->awake_islands, in_areas = cni_has_areas(world);
+	for (int32_t k = begin + 1; k <= end; ++k) {
 		const cni_body *b = body_external_make(world, k, in_areas);
 		if (islands != NULL)
 			islands[k] = b->island;
@@ -155,13 +153,12 @@ static void external_range(void *context, int32_t begin, int32_t end)
 /* If few islands are awake, numbers them in the order of their first bodies. */
 static void islands_number(cn_world *world)
 {
-	int32_t *islands = world->awake_islands, k;
+	int32_t *islands = world->awake_islands;
 	world->step_island_count = 0;
-	for (k = 1; k < world->awake_count; ++k) {
-		cni_island *i;
+	for (int32_t k = 1; k < world->awake_count; ++k) {
 		if (islands[k] == CNI_NONE)
 			continue;
-		i = cni_island_at(world, islands[k]);
+		cni_island *i = cni_island_at(world, islands[k]);
 		if (i->numbered_step != world->step_count + 1u) {
 			i->numbered_step = world->step_count + 1u;
 			i->number = world->step_island_count++;
@@ -197,10 +194,9 @@ void cni_external_finish(cn_world *world)
 
 void cni_external_prepare_bound(cn_world *world, float dt)
 {
-	int32_t k;
 	if (cni_has_areas(world))
 		cni_areas_accelerate(world, dt);
-	for (k = 1; k < world->awake_count; ++k) {
+	for (int32_t k = 1; k < world->awake_count; ++k) {
 		(void)body_external_make(world, k, cni_has_areas(world));
 		cni_externals(world)[k].flags &= ~(uint32_t)CNI_EXTERNAL_FREE;
 	}
@@ -330,10 +326,9 @@ static move_limit move_limit_make(const cn_world *world, float dt)
 static uint32_t move_clamp(cni_motion *m, const move_limit *limit)
 {
 	float move_sq = m->dpx * m->dpx + m->dpy * m->dpy;
-	uint32_t stopped;
 	if (move_sq <= limit->way * limit->way && cni_abs(m->theta) <= limit->turn)
 		return 0;
-	stopped = cni_motion_keep_finite(m);
+	uint32_t stopped = cni_motion_keep_finite(m);
 	if (move_sq > limit->way * limit->way) {
 		float scale = limit->way / cni_sqrt(move_sq);
 		m->dpx *= scale;
@@ -349,11 +344,11 @@ static void moves_clamp(const cni_body_pass *pass, int32_t begin, int32_t end)
 	const cni_body_kernel *kernel = pass->s->body_kernel;
 	move_limit limit = move_limit_make(pass->world, pass->s->dt);
 	uint32_t stopped = 0;
-	int32_t k = begin, last;
+	int32_t k = begin;
 	while (k < end) {
 		if (kernel != NULL)
 			k = kernel->near(pass, k, end, limit.way * limit.way, limit.turn);
-		for (last = cni_min_i(k + CNI_CALM_MOST, end); k < last; ++k)
+		for (int32_t last = cni_min_i(k + CNI_CALM_MOST, end); k < last; ++k)
 			stopped += move_clamp(&pass->motions[k], &limit);
 	}
 	if (stopped > 0)

@@ -104,8 +104,7 @@ CNI_INLINE cni_wide trapezoid_correction(cni_wide start, cni_wide response, cni_
 CNI_INLINE cni_wide rows_damping(const cni_body_pass *pass, int32_t k)
 {
 	cni_wide factors = cni_wide_of(1.0f);
-	int32_t r;
-	for (r = 0; r < ROWS; ++r)
+	for (int32_t r = 0; r < ROWS; ++r)
 		if (pass->externals[k + r].flags & CNI_EXTERNAL_DAMPED) {
 			const cni_body *b = cni_body_at(pass->world, cni_awake_ids(pass->world)[k + r]);
 			factors[4 * r] = factors[4 * r + 1] = cni_damping_factor(b->linear_damping, pass->h);

@@ -20,7 +20,6 @@
 #include "step/stages.h"
 #include "base/bitset.h"
 #include "contacts/contacts.h"
-#include "contacts/contact_pass.h"
 #include "contacts/deep_lanes.h"
 #include "step/step.h"
 
@@ -70,10 +69,9 @@ static int32_t island_is_projected(const projection *p, int32_t island)
 {
 	cn_world *world = p->world;
 	cni_island *i = cni_island_at(world, island);
-	int32_t body;
 	if (i->tier == CNI_TIER_DIRECT || !cni_island_is_slower(world, i, world->settings.sleep_speed))
 		return 0;
-	for (body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next) {
+	for (int32_t body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next) {
 		const cni_body *b = cni_body_at(world, body);
 		if (cni_body_is_jointed(world, b) || (b->flags & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y)))
 			return 0;
@@ -100,10 +98,8 @@ static int32_t islands_make(projection *p)
 static void islands_find(projection *p, float most)
 {
 	const cni_listed_block *list = cni_listed_blocks(p->world, 0);
-	int32_t k;
-	uint32_t deep;
-	for (k = 0; k < p->blocks; ++k)
-		for (deep = cni_deep_lanes(list[k].rows, most); deep != 0; deep &= deep - 1u) {
+	for (int32_t k = 0; k < p->blocks; ++k)
+		for (uint32_t deep = cni_deep_lanes(list[k].rows, most); deep != 0; deep &= deep - 1u) {
 			int32_t island = cni_awake_island(p->world, list[k].rows->ia[cni_bit_lowest32(deep)]);
 			if (island == CNI_NONE || (p->islands == NULL && !islands_make(p)) || p->islands[island].state != ISLAND_UNSEEN)
 				continue;
@@ -141,8 +137,7 @@ static void point_make(const projection *p, point *q, cni_contact_block *k, int3
 /* Stores the points of a lane, or only counts them. */
 static void lane_collect(projection *p, const cni_listed_block *b, int32_t l, int32_t island)
 {
-	int32_t i;
-	for (i = 0; i < 2; ++i) {
+	for (int32_t i = 0; i < 2; ++i) {
 		if (!(b->rows->p[i].nm[l] > 0.0f) || b->rows->p[i].s0[l] > p->world->settings.slop)
 			continue;
 		if (p->points != NULL) {
@@ -160,10 +155,9 @@ static void lane_collect(projection *p, const cni_listed_block *b, int32_t l, in
 static void points_collect(projection *p)
 {
 	const cni_listed_block *list = cni_listed_blocks(p->world, 0);
-	int32_t k, l;
 	p->count = 0;
-	for (k = 0; k < p->blocks; ++k)
-		for (l = list[k].begin; l < list[k].lanes; ++l) {
+	for (int32_t k = 0; k < p->blocks; ++k)
+		for (int32_t l = list[k].begin; l < list[k].lanes; ++l) {
 			int32_t island = cni_awake_island(p->world, list[k].rows->ia[l]);
 			if (island != CNI_NONE && p->islands[island].state == ISLAND_PROJECTED)
 				lane_collect(p, &list[k], l, island);
@@ -207,9 +201,9 @@ static void point_solve(const cn_world *world, point *q)
 /* The last sweeps are over points with fixed bodies alone: nothing is pushed into what does not yield, unless it stands between two of them. */
 static void sweep(const projection *p)
 {
-	int32_t k, left = cni_max_i(cni_min_i(WORK_MOST / p->count, SWEEPS), SWEEPS_LEAST) + SWEEPS_OF_FIXED;
+	int32_t left = cni_max_i(cni_min_i(WORK_MOST / p->count, SWEEPS), SWEEPS_LEAST) + SWEEPS_OF_FIXED;
 	while (left-- > 0)
-		for (k = 0; k < p->count; ++k)
+		for (int32_t k = 0; k < p->count; ++k)
 			if (left >= SWEEPS_OF_FIXED || is_fixed(p->world, &p->points[k]))
 				point_solve(p->world, &p->points[k]);
 }
@@ -238,14 +232,13 @@ static void displacement_clear(const cn_world *world, int32_t index)
 
 static void solution_take(const projection *p)
 {
-	int32_t k;
-	for (k = 0; k < p->count; ++k) {
+	for (int32_t k = 0; k < p->count; ++k) {
 		const point *q = &p->points[k];
 		still_island *i = &p->islands[q->island];
 		if (is_fixed(p->world, q))
 			i->after = cni_max(i->after, -q->s - point_gain(p->world, q));
 	}
-	for (k = 0; k < p->count; ++k) {
+	for (int32_t k = 0; k < p->count; ++k) {
 		const point *q = &p->points[k];
 		if (!(p->islands[q->island].after > cni_max(p->islands[q->island].before, p->world->settings.slop))) {
 			load_take(p, q);

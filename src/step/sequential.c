@@ -19,8 +19,7 @@
 
 void cni_sequential_hold_locked(cn_world *world)
 {
-	int32_t k;
-	for (k = 1; k < world->awake_count; ++k) {
+	for (int32_t k = 1; k < world->awake_count; ++k) {
 		const cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
 		cni_motion *m = cni_motions(world) + k;
 		if (b->flags & CN_BODY_LOCK_X)
@@ -33,9 +32,8 @@ void cni_sequential_hold_locked(cn_world *world)
 void cni_sequential_velocities(cn_world *world, const cni_solve *s)
 {
 	cni_motion *motions = cni_motions(world);
-	int32_t k;
 	cni_external_prepare_bound(world, s->dt);
-	for (k = 1; k < world->awake_count; ++k) {
+	for (int32_t k = 1; k < world->awake_count; ++k) {
 		const cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
 		const cni_external *d = cni_externals(world) + k;
 		cni_velocity_start *start = cni_starts(world) + k;
@@ -66,8 +64,7 @@ void cni_sequential_guard(cn_world *world)
 void cni_sequential_positions(cn_world *world, const cni_solve *s)
 {
 	cni_motion *motions = cni_motions(world);
-	int32_t k;
-	for (k = 1; k < world->awake_count; ++k) {
+	for (int32_t k = 1; k < world->awake_count; ++k) {
 		motions[k].dpx = s->dt * motions[k].vx;
 		motions[k].dpy = s->dt * motions[k].vy;
 		motions[k].theta = s->dt * motions[k].w;
@@ -128,11 +125,11 @@ static void point_respond(contact_point *c, float restitution, float static_fric
 static void lane_respond(cn_world *world, int32_t slot, float threshold)
 {
 	cni_contact_block *k = cni_block_at(world, slot / CNI_LANES);
-	int32_t l = slot % CNI_LANES, p, points = 0;
+	int32_t l = slot % CNI_LANES, points = 0;
 	float restitution = cni_block_info_at(world, slot / CNI_LANES)->restitution[l], at = 0.0f, jn;
 	int32_t on[2];
 	contact_point c;
-	for (p = 0; p < 2; ++p) {
+	for (int32_t p = 0; p < 2; ++p) {
 		k->p[p].jn[l] = 0.0f;
 		on[p] = k->p[p].nm[l] > 0.0f && k->p[p].s0[l] <= 0.0f;
 		at += on[p] ? k->p[p].at[l] : 0.0f;
@@ -152,15 +149,14 @@ static void lane_respond(cn_world *world, int32_t slot, float threshold)
 	if (normal_speed(&c) > -threshold)
 		restitution = 0.0f;
 	point_respond(&c, restitution, k->static_friction[l], k->dynamic_friction[l], &jn, &k->jt[l]);
-	for (p = 0; p < 2; ++p)
+	for (int32_t p = 0; p < 2; ++p)
 		k->p[p].jn[l] = on[p] ? jn / (float)points : 0.0f;
 }
 
 /* Visits all lanes in the order of their contacts: the oldest, which are often the lowest of a pile, come first. */
 static void lanes_run(cn_world *world, void (*run)(cn_world *world, int32_t slot, float threshold), float threshold)
 {
-	int32_t k;
-	for (k = 0; k < world->contact_used; ++k) {
+	for (int32_t k = 0; k < world->contact_used; ++k) {
 		const cni_contact *c = cni_contact_at(world, k);
 		if (cni_contact_has_lane(c))
 			run(world, c->slot, threshold);

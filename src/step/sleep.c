@@ -14,13 +14,12 @@
 
 static void keep_touching_awake(cn_world *world, int32_t body)
 {
-	int32_t key;
-	for (key = cni_body_at(world, body)->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
+	for (int32_t key = cni_body_at(world, body)->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
 		const cni_contact *c = cni_contact_of_key(world, key);
 		if (c->flags & CNI_CONTACT_TOUCHING)
 			cni_body_at(world, c->body[1 - (key & 1)])->sleep_time = 0.0f;
 	}
-	for (key = cni_body_at(world, body)->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1]) {
+	for (int32_t key = cni_body_at(world, body)->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1]) {
 		const cni_joint *j = cni_joint_at(world, key >> 1);
 		int32_t other = j->body[1 - (key & 1)];
 		if (other != CNI_NONE && j->awake != CNI_NONE)
@@ -31,8 +30,7 @@ static void keep_touching_awake(cn_world *world, int32_t body)
 static void keep_near_kinematic_awake(cn_world *world)
 {
 	const int32_t *ids = cni_awake_ids(world);
-	int32_t k;
-	for (k = 1; k < world->awake_count; ++k) {
+	for (int32_t k = 1; k < world->awake_count; ++k) {
 		const cni_motion *m = cni_motions(world) + k;
 		if (m->inv_mass == 0.0f && (m->vx != 0.0f || m->vy != 0.0f || m->w != 0.0f) && cni_body_at(world, ids[k])->type == CN_BODY_KINEMATIC)
 			keep_touching_awake(world, ids[k]);
@@ -42,22 +40,20 @@ static void keep_near_kinematic_awake(cn_world *world)
 /* Does the joint's motor move it? A stalled motor lets its bodies sleep. */
 static int32_t motor_turns(const cn_world *world, const cni_joint *j)
 {
-	float target;
 	if (!(j->flags & CN_JOINT_MOTOR) || j->type < CN_JOINT_REVOLUTE || j->type > CN_JOINT_WHEEL)
 		return 0;
-	target = j->p[CNI_P_MOTOR_SPEED];
+	float target = j->p[CNI_P_MOTOR_SPEED];
 	return target != 0.0f && 2.0f * target * cni_joint_speed(world, j) > target * target;
 }
 
 /* Bodies that a motor moves are not at rest, however slow its speed. */
 static void keep_driven_awake(cn_world *world)
 {
-	int32_t k, side;
-	for (k = 0; k < world->awake_joints.count; ++k) {
+	for (int32_t k = 0; k < world->awake_joints.count; ++k) {
 		const cni_joint *j = cni_joint_at(world, ((const int32_t *)world->awake_joints.data)[k]);
 		if (!motor_turns(world, j))
 			continue;
-		for (side = 0; side < 2; ++side)
+		for (int32_t side = 0; side < 2; ++side)
 			if (j->body[side] != CNI_NONE)
 				cni_body_at(world, j->body[side])->sleep_time = 0.0f;
 	}
@@ -90,17 +86,15 @@ static rests rests_find(cn_world *world)
 {
 	const int32_t *ids = cni_awake_ids(world);
 	rests r = { CNI_NONE, world->settings.sleep_delay, 0 };
-	int32_t k;
-	for (k = 1; k < world->awake_count; ++k) {
+	for (int32_t k = 1; k < world->awake_count; ++k) {
 		const cni_body *b = cni_body_at(world, ids[k]);
-		cni_island *i;
 		if (k + RECORDS_AHEAD < world->awake_count)
 			CNI_PREFETCH(&cni_body_at(world, ids[k + RECORDS_AHEAD])->sleep_time);
 		if (b->island == CNI_NONE) {
 			r.alone |= rested(world, b->sleep_time);
 			continue;
 		}
-		i = cni_island_at(world, b->island);
+		cni_island *i = cni_island_at(world, b->island);
 		i->rest_time = i->rest_step == world->step_count + 1u ? cni_min(i->rest_time, b->sleep_time) : b->sleep_time;
 		i->rest_step = world->step_count + 1u;
 		if (i->projected_step == world->step_count + 1u)
@@ -139,8 +133,7 @@ static int32_t island_may_sleep(const cn_world *world, const cni_island *i)
 
 static int32_t some_island_may_sleep(const cn_world *world)
 {
-	int32_t k;
-	for (k = 0; k < world->island_used; ++k) {
+	for (int32_t k = 0; k < world->island_used; ++k) {
 		const cni_island *i = cni_island_at(world, k);
 		if (i->rest_step == world->step_count + 1u && island_may_sleep(world, i))
 			return 1;
@@ -154,19 +147,17 @@ static int32_t some_island_may_sleep(const cn_world *world)
 
 void cni_stage_sleep(cn_world *world)
 {
-	rests r;
-	int32_t k, before, most;
 	keep_near_kinematic_awake(world);
 	if (CNI_HAS_JOINTS)
 		keep_driven_awake(world);
-	r = rests_find(world);
+	rests r = rests_find(world);
 	if (split_one(world, r.split))
 		r = rests_find(world);
 	if (!r.alone && world->island_used <= world->awake_count && !some_island_may_sleep(world)) /* of many islands most sleep */
 		return;
-	before = world->awake_count;
-	most = cni_max_i(SLEEP_LEAST, before / SLEEP_SHARE);
-	for (k = world->awake_count - 1; k >= 1; k = cni_min_i(k, world->awake_count) - 1) {
+	int32_t before = world->awake_count;
+	int32_t most = cni_max_i(SLEEP_LEAST, before / SLEEP_SHARE);
+	for (int32_t k = world->awake_count - 1; k >= 1; k = cni_min_i(k, world->awake_count) - 1) {
 		int32_t body = cni_awake_ids(world)[k];
 		const cni_body *b = cni_body_at(world, body);
 		if ((b->island == CNI_NONE ? rested(world, b->sleep_time) : island_may_sleep(world, cni_island_at(world, b->island))) && !cni_body_put_to_sleep(world, body))

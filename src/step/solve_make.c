@@ -94,7 +94,6 @@ cni_solve cni_solve_make(const cn_world *world, float dt, int32_t substeps)
 {
 	const cni_settings *set = &world->settings;
 	cni_solve s;
-	int32_t kind;
 	memset(&s, 0, sizeof s);
 	s.dt = dt;
 	s.substeps = substeps;
@@ -107,7 +106,7 @@ cni_solve cni_solve_make(const cn_world *world, float dt, int32_t substeps)
 	s.joint_warm_scale = cni_min(s.warm_scale, 1.0f); /* an impact's impulse is no load: seven times as much of it, after a pause, throws chains */
 	s.push_speed = set->push_speed_max;
 	s.restitution_threshold = set->restitution_threshold;
-	for (kind = 0; kind < CNI_CONTACTS_KINDS; ++kind)
+	for (int32_t kind = 0; kind < CNI_CONTACTS_KINDS; ++kind)
 		s.contact[kind] = contact_pass_make(world, &s, kind);
 	s.restless_speed = CNI_JOINT_RESTLESS * set->length_unit;
 	s.joint = cni_soft_implicit(joint_hertz(&s), 2.0f, s.h);

@@ -18,10 +18,9 @@
 /* Adds the time since the last mark to a field of the profile. */
 static void profile_mark(cn_world *world, float *field, uint64_t *mark)
 {
-	uint64_t now;
 	if (!CNI_HAS_CLOCK || !(world->settings.flags & CN_WORLD_PROFILE))
 		return;
-	now = cni_clock_ns();
+	uint64_t now = cni_clock_ns();
 	*field += (float)(now - *mark) * 1e-9f;
 	*mark = now;
 }
@@ -42,8 +41,8 @@ static void step_begin(cn_world *world)
 /* Does the step have enough work to hold the workers awake for all of it? */
 static int32_t team_is_held(const cn_world *world)
 {
-	int32_t k, work = world->awake_count + world->awake_joints.count;
-	for (k = 0; world->team != NULL && k < CNI_COLORS; ++k)
+	int32_t work = world->awake_count + world->awake_joints.count;
+	for (int32_t k = 0; world->team != NULL && k < CNI_COLORS; ++k)
 		work += world->colors[k].lanes;
 	return work >= SHARED_WORK;
 }
@@ -96,8 +95,7 @@ static void impulses_sum(cn_world *world, const cni_solve *s)
 /* A step without motion moves nothing, and has contacts and events, too. */
 static void finish_without_motion(cn_world *world)
 {
-	int32_t k;
-	for (k = 1; k < world->awake_count; ++k)
+	for (int32_t k = 1; k < world->awake_count; ++k)
 		cni_body_at(world, cni_awake_ids(world)[k])->flags &= ~(uint32_t)CNI_BODY_MOVED;
 	if (!CNI_HAS_EVENTS)
 		return;
@@ -109,8 +107,7 @@ static void substeps_lead(void *context)
 {
 	cn_world *world = ((const substeps *)context)->world;
 	const cni_solve *s = ((const substeps *)context)->s;
-	int32_t k;
-	for (k = 0; k < s->substeps; ++k) {
+	for (int32_t k = 0; k < s->substeps; ++k) {
 		cni_integrate_velocities(world, s, k);
 		if (CNI_HAS_EVENTS)
 			cni_impulse_sums_open(world, s);
@@ -166,7 +163,6 @@ static int32_t step_soft(cn_world *world, float dt, uint64_t *mark)
 	cn_profile *profile = &world->profile;
 	cni_solve s = cni_solve_make(world, dt, world->settings.substeps);
 	cni_sparse direct;
-	int32_t rested;
 	cni_stage_pairs(world, dt);
 	if (CNI_ON(SEAMS))
 		cni_stage_seams(world);
@@ -209,7 +205,7 @@ static int32_t step_soft(cn_world *world, float dt, uint64_t *mark)
 	profile_mark(world, &profile->substeps_s, mark);
 	if (CNI_HAS_CONTINUOUS && (world->settings.flags & CN_WORLD_CONTINUOUS))
 		cni_stage_continuous(world);
-	rested = cni_stage_finalize(world, &s);
+	int32_t rested = cni_stage_finalize(world, &s);
 	if (CNI_HAS_EVENTS)
 		cni_impulse_sums_report(world);
 	if (has_joints(world))
@@ -223,7 +219,6 @@ static int32_t step_sequential(cn_world *world, float dt, uint64_t *mark)
 {
 	cn_profile *profile = &world->profile;
 	cni_solve s = cni_solve_make_sequential(world, dt);
-	int32_t rested;
 	if (dt > 0.0f) {
 		cni_sequential_velocities(world, &s);                  /* 1 */
 		cni_sequential_positions(world, &s);                   /* 2 and 4 */
@@ -251,7 +246,7 @@ static int32_t step_sequential(cn_world *world, float dt, uint64_t *mark)
 		cni_sequential_joints(world, &s, 0);               /* 9 */
 	cni_sequential_hold_locked(world);
 	profile_mark(world, &profile->substeps_s, mark);
-	rested = cni_stage_finalize(world, &s);                    /* 10 and 11 */
+	int32_t rested = cni_stage_finalize(world, &s);                    /* 10 and 11 */
 	cni_impulse_sums_report(world);
 	if (has_joints(world))
 		cni_joints_break(world);

@@ -5,7 +5,6 @@
  * beginning, and the rest serves all allocations; all capacities are then reserved at creation, so that a
  * world within its capacities allocates nothing later.
  */
-#include "joints/joints.h"
 #include "direct/direct.h"
 #include "contacts/contacts.h"
 #include "joints/joint_pass.h"
@@ -78,13 +77,12 @@ cn_result cn_world_def_check(const cn_world_def *def, char *text, int32_t text_b
 {
 	char sentence[CNI_ERROR_TEXT_BYTES] = "";
 	cni_call call = cni_enter_free();
-	cni_text out;
 	if (text_bytes < 0 || (text == NULL && text_bytes > 0))
 		return CN_ERROR_ARGUMENT;
 	call.function = "cn_world_def_check";
 	call.sentence = sentence;
 	def_check(&call, def);
-	out = cni_text_begin(text, text_bytes);
+	cni_text out = cni_text_begin(text, text_bytes);
 	cni_text_string(&out, sentence);
 	return call.result;
 }
@@ -210,17 +208,16 @@ static cni_array *array_at(cn_world *world, int32_t k) { return (cni_array *)(vo
 
 static void tables_init(cn_world *world)
 {
-	int32_t k;
 	cni_arena_init(&world->arena, &world->memory);
 	cni_blocks_init(&world->blocks, &world->memory);
 	cni_handles_init(&world->body_handles, CNI_KIND_BODY);
 	cni_handles_init(&world->shape_handles, CNI_KIND_SHAPE);
 	cni_handles_init(&world->joint_handles, CNI_KIND_JOINT);
-	for (k = 0; k < COUNT_OF(world_tables); ++k)
+	for (int32_t k = 0; k < COUNT_OF(world_tables); ++k)
 		cni_table_init(table_at(world, k), world_tables[k].item_bytes, world_tables[k].page_shift);
-	for (k = 0; k < COUNT_OF(world_arrays); ++k)
+	for (int32_t k = 0; k < COUNT_OF(world_arrays); ++k)
 		cni_array_init(array_at(world, k), world_arrays[k].item_bytes);
-	for (k = 0; k < CNI_COLOR_LISTS; ++k)
+	for (int32_t k = 0; k < CNI_COLOR_LISTS; ++k)
 		world->colors[k].first = world->colors[k].last = CNI_NONE;
 	world->proxy_free = world->contact_free = world->block_free = world->island_free = CNI_NONE;
 }
@@ -228,7 +225,6 @@ static void tables_init(cn_world *world)
 static void tables_deinit(cn_world *world)
 {
 	cni_memory *memory = &world->memory;
-	int32_t k;
 	if (world->broadphase != NULL)
 		world->broadphase_ops->destroy(world->broadphase);
 	cni_arena_deinit(&world->arena);
@@ -236,9 +232,9 @@ static void tables_deinit(cn_world *world)
 	cni_handles_deinit(&world->body_handles, memory);
 	cni_handles_deinit(&world->shape_handles, memory);
 	cni_handles_deinit(&world->joint_handles, memory);
-	for (k = 0; k < COUNT_OF(world_tables); ++k)
+	for (int32_t k = 0; k < COUNT_OF(world_tables); ++k)
 		cni_table_deinit(table_at(world, k), memory);
-	for (k = 0; k < COUNT_OF(world_arrays); ++k)
+	for (int32_t k = 0; k < COUNT_OF(world_arrays); ++k)
 		cni_array_deinit(array_at(world, k), memory);
 }
 
@@ -364,13 +360,13 @@ static int32_t reserve_handles(cn_world *world, cni_handles *handles, int32_t ca
 
 static int32_t reserve_rooms(cn_world *world, const cn_world_def *d)
 {
-	int32_t rooms[ROOMS], k, good;
+	int32_t rooms[ROOMS], good;
 	rooms_make(d, d->memory != NULL, rooms);
 	good = reserve_handles(world, &world->body_handles, d->body_capacity) && reserve_handles(world, &world->shape_handles, d->shape_capacity) &&
 	       reserve_handles(world, &world->joint_handles, d->joint_capacity);
-	for (k = 0; k < COUNT_OF(world_tables) && good; ++k)
+	for (int32_t k = 0; k < COUNT_OF(world_tables) && good; ++k)
 		good = cni_table_reserve(table_at(world, k), &world->memory, rooms[world_tables[k].room]);
-	for (k = 0; k < COUNT_OF(world_arrays) && good; ++k)
+	for (int32_t k = 0; k < COUNT_OF(world_arrays) && good; ++k)
 		good = cni_array_reserve(array_at(world, k), &world->memory, rooms[world_arrays[k].room]);
 	return good;
 }
@@ -393,9 +389,8 @@ static uint64_t array_bytes(int32_t count, size_t item)
 static uint64_t pieces_bytes(const cn_world_def *d)
 {
 	cni_pieces pieces[PIECE_KINDS];
-	uint64_t bytes;
 	pieces_make(d, pieces);
-	bytes = cni_blocks_bytes_for(pieces, PIECE_KINDS);
+	uint64_t bytes = cni_blocks_bytes_for(pieces, PIECE_KINDS);
 	return reserves(d, CN_RESERVE_CHAINS) ? bytes + bytes / 512u + 18u * (uint64_t)d->shape_capacity + 8192u : bytes;
 }
 
@@ -407,16 +402,16 @@ static uint64_t handles_bytes(int32_t n)
 /* Extra rows are made for all blocks, once some contact needs them. */
 static uint64_t rooms_bytes(const cn_world_def *d)
 {
-	int32_t rooms[ROOMS], k;
+	int32_t rooms[ROOMS];
 	uint64_t bytes = handles_bytes(d->body_capacity) + handles_bytes(d->shape_capacity) + handles_bytes(d->joint_capacity);
 	rooms_make(d, 1, rooms);
-	for (k = 0; k < COUNT_OF(world_tables); ++k) {
+	for (int32_t k = 0; k < COUNT_OF(world_tables); ++k) {
 		int32_t extra = world_tables[k].offset == offsetof(cn_world, blocks_extra) && reserves(d, CN_RESERVE_EXTRA_ROWS);
 		cni_table table;
 		cni_table_init(&table, world_tables[k].item_bytes, world_tables[k].page_shift);
 		bytes += cni_table_bytes_for(&table, rooms[extra ? ROOM_BLOCKS : world_tables[k].room]);
 	}
-	for (k = 0; k < COUNT_OF(world_arrays); ++k)
+	for (int32_t k = 0; k < COUNT_OF(world_arrays); ++k)
 		bytes += array_bytes(rooms[world_arrays[k].room], world_arrays[k].item_bytes);
 	return bytes;
 }
@@ -460,14 +455,12 @@ cn_result cn_world_create(const cn_world_def *def, cn_world **out_world)
 {
 	cni_call call = cni_enter_free();
 	cni_memory memory;
-	cn_world *world;
-	int32_t created;
 	def_check(&call, def);
 	cni_check_pointer(&call, "out_world", out_world);
 	if (call.result != CN_OK)
 		return call.result;
 	memset(&memory, 0, sizeof memory);
-	world = world_allocate(def, &memory);
+	cn_world *world = world_allocate(def, &memory);
 	if (world == NULL)
 		return CN_ERROR_MEMORY;
 	memset(world, 0, sizeof *world);
@@ -479,7 +472,7 @@ cn_result cn_world_create(const cn_world_def *def, cn_world **out_world)
 	tables_init(world);
 	world->event_capacity = events_of(def);
 	world->vertex_capacity = def->memory != NULL ? def->vertex_capacity : 0;
-	created = broadphase_create(world, def->shape_capacity) && reserve_rooms(world, def) &&
+	int32_t created = broadphase_create(world, def->shape_capacity) && reserve_rooms(world, def) &&
 	          (def->memory == NULL || reserve_rest(world, def)) && team_create(world, def);
 	if (!created) {
 		cn_world_destroy(world);
@@ -492,12 +485,11 @@ cn_result cn_world_create(const cn_world_def *def, cn_world **out_world)
 
 void cn_world_destroy(cn_world *world)
 {
-	cni_memory memory;
 	if (world == NULL || world->locked > 0)
 		return;
 	cni_team_destroy(world->team, &world->memory);
 	tables_deinit(world);
-	memory = world->memory;
+	cni_memory memory = world->memory;
 	if (!memory.fixed)
 		cni_memory_free(&memory, world, cni_memory_rounded(sizeof(cn_world)));
 }

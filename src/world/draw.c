@@ -4,7 +4,6 @@
 #include "joints/joint_type.h"
 #include "world/error.h"
 
-#include <string.h>
 
 enum {
 	COLOR_STATIC = 0x7F9F7F,
@@ -71,10 +70,9 @@ static uint32_t body_color(const cn_debug_draw *d, const cni_body *b, const cni_
 static void draw_polygon(const cn_debug_draw *d, const cni_geometry *g, cni_transform x, uint32_t color)
 {
 	cni_vec2 points[CN_POLYGON_MAX_VERTICES];
-	int32_t k;
 	if (d->polygon == NULL)
 		return;
-	for (k = 0; k < g->count; ++k)
+	for (int32_t k = 0; k < g->count; ++k)
 		points[k] = cni_transform_point(x, cni_geometry_points(g)[k]);
 	d->polygon(points, g->count, g->radius, color, d->user);
 }
@@ -96,8 +94,8 @@ static void draw_round(const cn_debug_draw *d, const cni_geometry *g, cni_transf
 static void draw_edges(const cn_debug_draw *d, const cni_geometry *g, cni_transform x, uint32_t color)
 {
 	const cni_vec2 *points = cni_geometry_points(g);
-	int32_t k, children = cni_geometry_children(g);
-	for (k = 0; k < children; ++k)
+	int32_t children = cni_geometry_children(g);
+	for (int32_t k = 0; k < children; ++k)
 		segment(d, cni_transform_point(x, points[k]), cni_transform_point(x, points[(k + 1) % g->count]), color);
 }
 
@@ -133,8 +131,7 @@ static void draw_body(const cn_world *world, const cn_debug_draw *d, int32_t bod
 {
 	const cni_body *b = cni_body_at(world, body);
 	cni_vec2 center = cni_v(b->cx, b->cy);
-	int32_t shape;
-	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next)
+	for (int32_t shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next)
 		draw_shape(world, d, b, cni_shape_at(world, shape));
 	if (!(d->flags & CN_DRAW_CENTERS))
 		return;
@@ -151,16 +148,16 @@ static void draw_joint(const cn_world *world, const cn_debug_draw *d, int32_t jo
 	const cni_joint *j = cni_joint_at(world, joint);
 	cni_joint_frame f = cni_joint_frame_make(world, j);
 	cni_row rows[CNI_JOINT_ROWS];
-	int32_t count = cni_joint_type_of(j->type)->rows(j, &f, rows), k, side;
+	int32_t count = cni_joint_type_of(j->type)->rows(j, &f, rows);
 	cni_vec2 anchor[2];
 	cni_joint_anchors(world, j, &anchor[0], &anchor[1]);
-	for (side = 0; side < 2; ++side) {
+	for (int32_t side = 0; side < 2; ++side) {
 		point(d, anchor[side], 5.0f, COLOR_JOINT);
 		if (j->body[side] != CNI_NONE)
 			segment(d, cni_v(cni_body_at(world, j->body[side])->cx, cni_body_at(world, j->body[side])->cy), anchor[side], COLOR_JOINT);
 	}
 	segment(d, anchor[0], anchor[1], COLOR_JOINT);
-	for (k = 0; k < count; ++k) {
+	for (int32_t k = 0; k < count; ++k) {
 		cni_vec2 along = cni_v(rows[k].lever.bx, rows[k].lever.by);
 		if (rows[k].kind == CNI_ROW_LIMIT && !rows[k].angular)
 			segment(d, anchor[1], cni_madd(anchor[1], -rows[k].error, along), COLOR_LIMIT);
@@ -170,9 +167,8 @@ static void draw_joint(const cn_world *world, const cn_debug_draw *d, int32_t jo
 static void draw_contact(const cn_world *world, const cn_debug_draw *d, int32_t contact)
 {
 	cn_contact_event e;
-	int32_t k;
 	cni_contact_describe(world, contact, CN_EVENT_STAY, &e);
-	for (k = 0; k < e.manifold.point_count; ++k) {
+	for (int32_t k = 0; k < e.manifold.point_count; ++k) {
 		cni_vec2 p = e.manifold.points[k].point_m;
 		point(d, p, 4.0f, COLOR_CONTACT);
 		segment(d, p, cni_madd(p, 0.2f * world->settings.length_unit, e.manifold.normal), COLOR_NORMAL);

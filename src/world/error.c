@@ -84,13 +84,12 @@ static uint32_t float_digits(uint32_t bits, int32_t *out_exponent)
 static void text_point(cni_text *text, uint32_t d, int32_t before)
 {
 	uint32_t unit = 100000u;
-	int32_t k;
 	if (before <= 0) {
 		cni_text_string(text, "0.");
-		for (k = before; k < 0; ++k)
+		for (int32_t k = before; k < 0; ++k)
 			text_char(text, '0');
 	}
-	for (k = 0; k < 6 || k < before; ++k) {
+	for (int32_t k = 0; k < 6 || k < before; ++k) {
 		if (k >= before && d == 0)
 			return;
 		if (k == before && before > 0)
@@ -148,12 +147,11 @@ cni_call cni_enter_free(void)
    soft-float routines on processors that compute in single precision only), %i an int64_t, %x a uint32_t. */
 static void refuse_in_words(cni_call *call, cn_result result, const char *format, ...)
 {
-	cni_text text;
 	va_list values;
 	if (call->result != CN_OK)
 		return;
 	call->result = result;
-	text = cni_text_begin(call->sentence, call->sentence != NULL ? CNI_ERROR_TEXT_BYTES : 0);
+	cni_text text = cni_text_begin(call->sentence, call->sentence != NULL ? CNI_ERROR_TEXT_BYTES : 0);
 	cni_text_string(&text, call->function);
 	cni_text_string(&text, ": ");
 	va_start(values, format);
@@ -208,12 +206,11 @@ cn_result cni_refuse_int(cni_call *call, const char *field, int64_t value, const
 
 void cni_check_complaint(cni_call *call, const char *complaint, const cn_vec2 *points, int32_t count, int32_t closed)
 {
-	float distance, least;
 	cni_check(call, complaint == NULL || complaint == cni_points_near, CN_ERROR_ARGUMENT, complaint);
 	if (complaint == NULL || call->result != CN_OK)
 		return;
-	distance = cni_least_distance(points, count, closed);
-	least = call->world->settings.thickness_least;
+	float distance = cni_least_distance(points, count, closed);
+	float least = call->world->settings.thickness_least;
 	if (distance > 0.0f)
 		refuse(call, CN_ERROR_ARGUMENT, "distance of points_m %f; must be from %f (0.05%% of the length unit) to 1e6; a world with cn_world_def.length_unit_m up to %f takes it",
 		       cni_bits_of(distance), cni_bits_of(least), cni_bits_of(distance / CNI_THICKNESS_LEAST));
@@ -347,10 +344,9 @@ void cni_check_flags(cni_call *call, const char *field, uint32_t value, uint32_t
 
 void cni_check_position(cni_call *call, const char *field, cn_vec2 value)
 {
-	float limit;
 	if (call->result != CN_OK)
 		return;
-	limit = CNI_POSITION_MAX_UNITS * call->world->settings.length_unit;
+	float limit = CNI_POSITION_MAX_UNITS * call->world->settings.length_unit;
 	if (!(cni_abs(value.x) <= limit && cni_abs(value.y) <= limit))
 		refuse(call, CN_ERROR_ARGUMENT, "%s (%f, %f); both must be finite and within +-%f", field, cni_bits_of(value.x), cni_bits_of(value.y), cni_bits_of(limit));
 }

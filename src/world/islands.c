@@ -8,7 +8,6 @@
 #include "joints/joint_type.h"
 #include "direct/direct.h"
 #include "narrowphase/touch.h"
-#include "model/solve.h"
 #include "world/error.h"
 
 #include <string.h>
@@ -30,12 +29,11 @@ static float overlap_of(const cn_world *world, int32_t contact)
 	cni_contact c = *pair.contact; /* a copy: colliding stores hints in the contact */
 	cni_touch touch;
 	float deepest = 0.0f;
-	int32_t k;
 	pair.contact = &c;
 	if (contact_passes_through(world, &c) || !cni_touch_begin(world, &pair, 0.0f, &touch))
 		return 0.0f;
 	cni_touch_collide(&touch);
-	for (k = 0; k < touch.result.manifold.count; ++k)
+	for (int32_t k = 0; k < touch.result.manifold.count; ++k)
 		deepest = cni_max(deepest, -touch.result.manifold.points[k].separation);
 	return deepest;
 }
@@ -44,10 +42,9 @@ static float overlap_of(const cn_world *world, int32_t contact)
 static float gap_of(const cn_world *world, const cni_joint *j)
 {
 	float metres, radians, extent = 0.0f;
-	int32_t side;
 	if (j->stiffness_hertz > 0.0f || j->force_max > 0.0f || j->torque_max > 0.0f)
 		return 0.0f;
-	for (side = 0; side < 2; ++side)
+	for (int32_t side = 0; side < 2; ++side)
 		if (cni_is_dynamic(world, j->body[side]))
 			extent = cni_max(extent, cni_body_at(world, j->body[side])->extent);
 	cni_joint_error(world, j, &metres, &radians);
@@ -58,16 +55,15 @@ static float gap_of(const cn_world *world, const cni_joint *j)
 static void report_add_body(const cn_world *world, int32_t body, cn_island_report *out)
 {
 	const cni_body *b = cni_body_at(world, body);
-	int32_t key;
 	++out->bodies;
-	for (key = b->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
+	for (int32_t key = b->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
 		const cni_contact *c = cni_contact_of_key(world, key);
 		if (!(c->flags & CNI_CONTACT_TOUCHING) || ((key & 1) && cni_is_dynamic(world, c->body[0])))
 			continue;
 		++out->contacts;
 		out->residual_m = cni_max(out->residual_m, overlap_of(world, key >> 1));
 	}
-	for (key = b->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1]) {
+	for (int32_t key = b->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1]) {
 		const cni_joint *j = cni_joint_at(world, key >> 1);
 		if (j->awake == CNI_NONE || ((key & 1) && cni_is_dynamic(world, j->body[0])))
 			continue;
@@ -127,10 +123,10 @@ static void report_tier(const cn_world *world, const cni_island *i, cn_island_re
 /* i: NULL for a body without an island. first: the first body of its list. */
 static void report_make(const cn_world *world, const cni_island *i, int32_t first, cn_island_report *out)
 {
-	int32_t body, lowest = first;
+	int32_t lowest = first;
 	memset(out, 0, sizeof *out);
 	out->substeps = substeps_of(world, cni_body_at(world, first));
-	for (body = first; body != CNI_NONE; body = cni_body_at(world, body)->island_next) {
+	for (int32_t body = first; body != CNI_NONE; body = cni_body_at(world, body)->island_next) {
 		lowest = cni_min_i(lowest, body);
 		report_add_body(world, body, out);
 	}
@@ -149,11 +145,11 @@ static int32_t body_is_awake_alone(const cn_world *world, int32_t body)
 cn_result cn_world_get_islands(const cn_world *world, cn_island_report *out, int32_t capacity, int32_t *out_count)
 {
 	cni_call call = cni_enter_const(world);
-	int32_t k, count = 0;
+	int32_t count = 0;
 	cni_check_output(&call, out, capacity, out_count);
 	if (call.result != CN_OK)
 		return call.result;
-	for (k = 0; k < world->island_used; ++k) {
+	for (int32_t k = 0; k < world->island_used; ++k) {
 		const cni_island *i = cni_island_at(world, k);
 		if (i->first == CNI_NONE || !i->awake)
 			continue;
@@ -161,7 +157,7 @@ cn_result cn_world_get_islands(const cn_world *world, cn_island_report *out, int
 			report_make(world, i, i->first, &out[count]);
 		++count;
 	}
-	for (k = cni_handles_next(&world->body_handles, 0); k != CNI_NONE; k = cni_handles_next(&world->body_handles, k + 1)) {
+	for (int32_t k = cni_handles_next(&world->body_handles, 0); k != CNI_NONE; k = cni_handles_next(&world->body_handles, k + 1)) {
 		if (!body_is_awake_alone(world, k))
 			continue;
 		if (count < capacity)

@@ -1,7 +1,6 @@
 /*
  * world/library.c - version, result texts and struct sizes of the library. Needs no world and has no state.
  */
-#include "base/config.h"
 #include "cairn.h"
 
 int32_t cn_version(void)

@@ -9,10 +9,9 @@
 
 static void check_points(cni_call *call, const cn_vec2 *points_m, int32_t count, int32_t count_min, int32_t count_max)
 {
-	int32_t k;
 	cni_check_pointer(call, "points_m", points_m);
 	cni_check_range_int(call, "count", count, count_min, count_max);
-	for (k = 0; k < count && call->result == CN_OK; ++k)
+	for (int32_t k = 0; k < count && call->result == CN_OK; ++k)
 		cni_check_within(call, "points_m", points_m[k], CNI_COORDINATE_MAX);
 }
 
@@ -25,11 +24,9 @@ static void check_points(cni_call *call, const cn_vec2 *points_m, int32_t count,
 static float hull_tolerance(const cn_vec2 *points, int32_t count)
 {
 	cni_aabb box = cni_aabb_of(points[0], points[0]);
-	float half;
-	int32_t k;
-	for (k = 1; k < count; ++k)
+	for (int32_t k = 1; k < count; ++k)
 		box = cni_aabb_with_point(box, points[k]);
-	half = 0.5f * cni_max(box.x1 - box.x0, box.y1 - box.y0);
+	float half = 0.5f * cni_max(box.x1 - box.x0, box.y1 - box.y0);
 	return cni_max(cni_min(0.05f * half, 0.005f), 0.005f * half);
 }
 
@@ -54,7 +51,6 @@ cn_result cn_polygon_make_box(float half_width_m, float half_height_m, float cen
 	static const float sy[4] = { -1.0f, -1.0f, 1.0f, 1.0f };
 	cni_call call = cni_enter_free();
 	cni_transform x;
-	int32_t k;
 	cni_check_positive(&call, "half_width_m", half_width_m);
 	cni_check_positive(&call, "half_height_m", half_height_m);
 	cni_check_within(&call, "half_width_m, half_height_m", cni_v(half_width_m, half_height_m), CNI_COORDINATE_MAX);
@@ -69,7 +65,7 @@ cn_result cn_polygon_make_box(float half_width_m, float half_height_m, float cen
 	out->radius_m = radius_m;
 	x.q = cni_sincos(angle_rad);
 	x.t = center_m;
-	for (k = 0; k < 4; ++k)
+	for (int32_t k = 0; k < 4; ++k)
 		out->points_m[k] = cni_transform_point(x, cni_v(sx[k] * half_width_m, sy[k] * half_height_m));
 	return CN_OK;
 }
@@ -125,9 +121,8 @@ static void check_grid(cni_call *call, const cni_grid *grid, int32_t count, int3
 
 static void check_values(cni_call *call, const float *values, int32_t count)
 {
-	int32_t k;
 	cni_check_pointer(call, "values", values);
-	for (k = 0; call->result == CN_OK && k < count; ++k)
+	for (int32_t k = 0; call->result == CN_OK && k < count; ++k)
 		cni_check_finite(call, "values", values[k]);
 }
 

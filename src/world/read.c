@@ -12,10 +12,9 @@ static cn_result list_alive(const cn_world *world, const cni_handles *handles, u
 {
 	cni_call call = cni_enter_const(world);
 	cni_list list = cni_list_begin(&call, out, capacity, out_count);
-	int32_t k;
 	if (call.result != CN_OK)
 		return call.result;
-	for (k = cni_handles_next(handles, 0); k != CNI_NONE && list.count < capacity; k = cni_handles_next(handles, k + 1))
+	for (int32_t k = cni_handles_next(handles, 0); k != CNI_NONE && list.count < capacity; k = cni_handles_next(handles, k + 1))
 		cni_list_add(&list, cni_handles_of(handles, k));
 	*out_count = handles->count;
 	return CN_OK;
@@ -58,12 +57,11 @@ static int32_t walk_next(walk *w)
 
 static void check_bodies(cni_call *call, const cn_body *bodies, int32_t count)
 {
-	int32_t k;
 	if (call->result == CN_OK && bodies == NULL && count != call->world->body_handles.count)
 		cni_refuse_int(call, "count", count, "must be the number of bodies in the world when bodies is NULL");
 	if (call->result != CN_OK || bodies == NULL || cni_handles_find_all(&call->world->body_handles, bodies, count))
 		return;
-	for (k = 0; k < count && call->result == CN_OK; ++k)
+	for (int32_t k = 0; k < count && call->result == CN_OK; ++k)
 		cni_check_body(call, "bodies", bodies[k]);
 }
 
@@ -78,15 +76,14 @@ static void copy_poses(const cn_world *world, const cn_body *bodies, int32_t cou
 {
 	uint8_t *const *pages = world->readback.pages;
 	walk w = walk_begin(world, bodies);
-	int32_t k;
 	if (bodies != NULL && world->body_handles.aliases.count == 0)
-		for (k = 0; k < count; ++k, out += stride)
+		for (int32_t k = 0; k < count; ++k, out += stride)
 			memcpy(out, &page_item(pages, bodies[k] & CNI_HANDLE_INDEX_MASK)->pose, sizeof(cn_pose));
 	else if (bodies == NULL && count == cni_handles_used(&world->body_handles))
-		for (k = 0; k < count; ++k, out += stride)
+		for (int32_t k = 0; k < count; ++k, out += stride)
 			memcpy(out, &page_item(pages, (uint32_t)k)->pose, sizeof(cn_pose));
 	else
-		for (k = 0; k < count; ++k, out += stride)
+		for (int32_t k = 0; k < count; ++k, out += stride)
 			memcpy(out, &page_item(pages, (uint32_t)walk_next(&w))->pose, sizeof(cn_pose));
 }
 
@@ -95,7 +92,6 @@ cn_result cn_world_read_poses_strided(const cn_world *world, const cn_body *bodi
 	size_t stride = stride_bytes != 0 ? (size_t)stride_bytes : sizeof(cn_pose);
 	cni_call call = cni_enter_const(world);
 	walk w = walk_begin(world, bodies);
-	int32_t k;
 	if (stride_bytes != 0 && stride_bytes < (int32_t)sizeof(cn_pose))
 		return CN_ERROR_ARGUMENT;
 	cni_check_array(&call, "out", out, count);
@@ -106,7 +102,7 @@ cn_result cn_world_read_poses_strided(const cn_world *world, const cn_body *bodi
 		copy_poses(world, bodies, count, (uint8_t *)out, stride);
 		return CN_OK;
 	}
-	for (k = 0; k < count; ++k) {
+	for (int32_t k = 0; k < count; ++k) {
 		cn_pose pose = cni_body_pose(cni_body_at(world, walk_next(&w)));
 		memcpy((uint8_t *)out + (size_t)k * stride, &pose, sizeof pose);
 	}
@@ -122,11 +118,10 @@ cn_result cn_world_read_poses_interpolated(const cn_world *world, const cn_body 
 {
 	cni_call call = cni_enter_const(world);
 	walk w = walk_begin(world, bodies);
-	int32_t k;
 	cni_check_array(&call, "out", out, count);
 	cni_check_range(&call, "factor", factor, 0.0f, 1.0f);
 	check_bodies(&call, bodies, count);
-	for (k = 0; k < count && call.result == CN_OK; ++k)
+	for (int32_t k = 0; k < count && call.result == CN_OK; ++k)
 		out[k] = cni_pose_between(world, walk_next(&w), factor);
 	return call.result;
 }
@@ -135,10 +130,9 @@ cn_result cn_world_read_velocities(const cn_world *world, const cn_body *bodies,
 {
 	cni_call call = cni_enter_const(world);
 	walk w = walk_begin(world, bodies);
-	int32_t k;
 	cni_check_array(&call, "out", out, count);
 	check_bodies(&call, bodies, count);
-	for (k = 0; k < count && call.result == CN_OK; ++k)
+	for (int32_t k = 0; k < count && call.result == CN_OK; ++k)
 		out[k] = cni_body_velocity(world, cni_body_at(world, walk_next(&w)));
 	return call.result;
 }
@@ -152,17 +146,16 @@ cn_result cn_world_write_velocities(cn_world *world, const cn_body *bodies, int3
 {
 	cni_call call = cni_enter(world, __func__);
 	walk w = walk_begin(world, bodies);
-	int32_t k;
 	cni_check_array(&call, "velocities", velocities, count);
 	check_bodies(&call, bodies, count);
-	for (k = 0; k < count && call.result == CN_OK; ++k) {
+	for (int32_t k = 0; k < count && call.result == CN_OK; ++k) {
 		cni_check_finite2(&call, "linear_mps", velocities[k].linear_mps);
 		cni_check_finite(&call, "angular_radps", velocities[k].angular_radps);
 		if (cni_body_at(world, walk_next(&w))->type == CN_BODY_STATIC && !velocity_is_zero(velocities + k))
 			cni_refuse(&call, CN_ERROR_STATE, "one of the bodies is static and its velocity is not zero");
 	}
 	w = walk_begin(world, bodies);
-	for (k = 0; k < count && call.result == CN_OK; ++k) {
+	for (int32_t k = 0; k < count && call.result == CN_OK; ++k) {
 		int32_t body = walk_next(&w);
 		if (cni_body_at(world, body)->type == CN_BODY_STATIC)
 			continue;
@@ -196,8 +189,7 @@ static cn_body_moved moved_of(const cn_world *world, int32_t body, uint32_t fell
 static void moved_add_asleep(cn_world *world, cni_array *moved)
 {
 	const cni_array *asleep = &world->events.asleep;
-	int32_t k;
-	for (k = 0; k < asleep->count; ++k) {
+	for (int32_t k = 0; k < asleep->count; ++k) {
 		int32_t body = cni_handles_find(&world->body_handles, ((const cn_body *)asleep->data)[k]);
 		if (body == CNI_NONE || (cni_body_at(world, body)->flags & CNI_BODY_MARK))
 			continue;
@@ -209,8 +201,7 @@ static void moved_add_asleep(cn_world *world, cni_array *moved)
 static void moved_add_awake(const cn_world *world, cni_array *moved)
 {
 	const int32_t *ids = cni_awake_ids(world);
-	int32_t k;
-	for (k = 1; k < world->awake_count; ++k)
+	for (int32_t k = 1; k < world->awake_count; ++k)
 		if ((cni_body_at(world, ids[k])->flags & (CNI_BODY_MOVED | CNI_BODY_MARK)) == CNI_BODY_MOVED)
 			((cn_body_moved *)moved->data)[moved->count++] = moved_of(world, ids[k], 0u);
 }
@@ -222,8 +213,8 @@ static void moved_copy_awake(const cn_world *world, cni_array *moved)
 	cn_body_moved *out = (cn_body_moved *)moved->data + moved->count;
 	uint8_t *const *pages = world->readback.pages;
 	uint32_t step = world->step_count;
-	int32_t k, count = world->awake_count;
-	for (k = 1; k < count; ++k) {
+	int32_t count = world->awake_count;
+	for (int32_t k = 1; k < count; ++k) {
 		*out = *page_item(pages, (uint32_t)ids[k]);
 		if (out->fell_asleep == step) {
 			out->fell_asleep = 0;
@@ -237,17 +228,16 @@ static void moved_copy_awake(const cn_world *world, cni_array *moved)
 static int32_t moved_build(cn_world *world)
 {
 	cni_array *moved = &world->events.moved;
-	int32_t k, asleep;
 	if (!cni_array_reserve(moved, &world->memory, world->awake_count + world->events.asleep.count))
 		return 0;
 	moved->count = 0;
 	moved_add_asleep(world, moved);
-	asleep = moved->count;
+	int32_t asleep = moved->count;
 	if (world->readback_kept && asleep == 0)
 		moved_copy_awake(world, moved);
 	else
 		moved_add_awake(world, moved);
-	for (k = 0; k < asleep; ++k)
+	for (int32_t k = 0; k < asleep; ++k)
 		cni_body_at(world, cni_body_index(world, ((const cn_body_moved *)moved->data)[k].body))->flags &= ~(uint32_t)CNI_BODY_MARK;
 	world->events.moved_built = 1;
 	return 1;

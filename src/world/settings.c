@@ -3,7 +3,6 @@
  * Writes world->settings and user_data; wakes bodies where a setting requires it.
  */
 #include "direct/direct.h"
-#include "model/solve.h"
 #include "world/error.h"
 
 #include <string.h>

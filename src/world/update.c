@@ -45,8 +45,7 @@ static cn_result previous_reserve(cn_world *world)
 static void previous_keep(cn_world *world)
 {
 	const int32_t *ids = cni_awake_ids(world);
-	int32_t k;
-	for (k = 1; k < world->awake_count; ++k) {
+	for (int32_t k = 1; k < world->awake_count; ++k) {
 		const cni_body *b = cni_body_at(world, ids[k]);
 		cni_vec2 origin = cni_body_origin(b);
 		cni_previous now = { origin.x, origin.y, b->q.c, b->q.s, cni_handles_of(&world->body_handles, ids[k]), world->step_count + 1u };
@@ -76,17 +75,15 @@ static cn_update_report report_make(const cn_world *world)
 cn_result cn_world_update(cn_world *world, float elapsed_s, cn_update_report *out)
 {
 	cni_call call = cni_enter(world, __func__);
-	cn_update_report report;
-	int32_t k;
 	cni_check_range(&call, "elapsed_s", elapsed_s, 0.0f, 10.0f);
 	if (call.result == CN_OK)
 		cni_check_reserved(&call, previous_reserve(world), "the poses of the previous step");
 	if (call.result != CN_OK)
 		return call.result;
 	world->time_owed += elapsed_s;
-	report = report_make(world);
+	cn_update_report report = report_make(world);
 	world->time_owed = report.leftover_s;
-	for (k = 0; k < report.steps; ++k) {
+	for (int32_t k = 0; k < report.steps; ++k) {
 		if (k == report.steps - 1)
 			previous_keep(world);
 		cn_world_step(world, world->fixed_step);

@@ -46,11 +46,10 @@ static void check_room(report *r, const cni_body *b, const cni_shape *s, int32_t
 
 static void check_readback(report *r, int32_t body)
 {
-	const cn_body_moved *shown;
 	cn_pose pose = cni_body_pose(cni_body_at(r->world, body));
 	if (!r->world->readback_kept)
 		return;
-	shown = cni_readback_at(r->world, body);
+	const cn_body_moved *shown = cni_readback_at(r->world, body);
 	expect(r, memcmp(&shown->pose, &pose, sizeof pose) == 0 && shown->body == cni_handles_of(&r->world->body_handles, body), "readback of body", body);
 }
 
@@ -58,14 +57,14 @@ static void check_shapes_of(report *r, int32_t body)
 {
 	const cn_world *world = r->world;
 	const cni_body *b = cni_body_at(world, body);
-	int32_t shape, child, before = CNI_NONE;
-	for (shape = b->shape_first; shape != CNI_NONE && r->what == NULL; before = shape, shape = cni_shape_at(world, shape)->next) {
+	int32_t before = CNI_NONE;
+	for (int32_t shape = b->shape_first; shape != CNI_NONE && r->what == NULL; before = shape, shape = cni_shape_at(world, shape)->next) {
 		const cni_shape *s = cni_shape_at(world, shape);
 		expect(r, cni_handles_alive(&world->shape_handles, shape) && s->body == body, "shape list of body", body);
 		expect(r, before == CNI_NONE || (s->prev == before && shape != b->shape_first), "shape list of body", body);
 		expect(r, cni_body_spans(world, b, shape), "extent of body", body);
 		++r->shapes;
-		for (child = 0; child < cni_shape_children(&world->blocks, s) && r->what == NULL; ++child) {
+		for (int32_t child = 0; child < cni_shape_children(&world->blocks, s) && r->what == NULL; ++child) {
 			int32_t proxy = cni_shape_proxy(world, s, child);
 			expect(r, (proxy != CNI_NONE) == ((b->flags & CN_BODY_ENABLED) != 0), "shape is placed exactly when enabled, shape", shape);
 			if (proxy == CNI_NONE)
@@ -83,9 +82,9 @@ static void check_contacts_of(report *r, int32_t body)
 {
 	const cn_world *world = r->world;
 	const cni_body *b = cni_body_at(world, body);
-	int32_t key, count = 0, lanes = 0, in_front = 1, before = CNI_NONE, is_static;
+	int32_t count = 0, lanes = 0, in_front = 1, before = CNI_NONE, is_static;
 	uint32_t colors = 0;
-	for (key = b->contact_first; key != CNI_NONE; before = key, key = cni_contact_of_key(world, key)->next[key & 1]) {
+	for (int32_t key = b->contact_first; key != CNI_NONE; before = key, key = cni_contact_of_key(world, key)->next[key & 1]) {
 		const cni_contact *c = cni_contact_of_key(world, key);
 		expect(r, c->body[0] != CNI_NONE && c->body[key & 1] == body && c->prev[key & 1] == before, "contact list of body", body);
 		if (r->what != NULL)
@@ -218,8 +217,8 @@ static void check_contact(report *r, int32_t contact)
 static void check_contacts(report *r)
 {
 	const cn_world *world = r->world;
-	int32_t k, count = 0, touching = 0, lanes = 0;
-	for (k = 0; k < world->contact_used && r->what == NULL; ++k) {
+	int32_t count = 0, touching = 0, lanes = 0;
+	for (int32_t k = 0; k < world->contact_used && r->what == NULL; ++k) {
 		const cni_contact *c = cni_contact_at(world, k);
 		if (c->body[0] == CNI_NONE)
 			continue;
@@ -232,7 +231,7 @@ static void check_contacts(report *r)
 	expect(r, count == world->contact_count, "count of contacts", count);
 	expect(r, 2 * count == r->contact_ends, "contacts in lists of bodies", r->contact_ends);
 	expect(r, touching == world->touching_count, "count of touching contacts", touching);
-	for (k = 0; k < CNI_COLOR_LISTS; ++k)
+	for (int32_t k = 0; k < CNI_COLOR_LISTS; ++k)
 		lanes += world->colors[k].lanes;
 	expect(r, lanes + world->sleep_lanes.count == touching, "lanes in colours and asleep", lanes);
 }
@@ -242,14 +241,14 @@ static void check_contacts(report *r)
 static void check_islands(report *r)
 {
 	const cn_world *world = r->world;
-	int32_t k, body, islands = 0, members = 0;
-	for (k = 0; k < world->island_used && r->what == NULL; ++k) {
+	int32_t islands = 0, members = 0;
+	for (int32_t k = 0; k < world->island_used && r->what == NULL; ++k) {
 		const cni_island *i = cni_island_at(world, k);
 		int32_t count = 0, before = CNI_NONE;
 		if (i->first == CNI_NONE)
 			continue;
 		++islands;
-		for (body = i->first; body != CNI_NONE && r->what == NULL; before = body, body = cni_body_at(world, body)->island_next) {
+		for (int32_t body = i->first; body != CNI_NONE && r->what == NULL; before = body, body = cni_body_at(world, body)->island_next) {
 			expect(r, body_alive(world, body) && cni_body_at(world, body)->island == k && cni_body_at(world, body)->island_prev == before, "body list of island", k);
 			++count;
 		}
@@ -295,8 +294,8 @@ static void check_joints(report *r)
 static void check_shapes(report *r)
 {
 	const cn_world *world = r->world;
-	int32_t k, attached = 0;
-	for (k = cni_handles_next(&world->shape_handles, 0); k != CNI_NONE; k = cni_handles_next(&world->shape_handles, k + 1))
+	int32_t attached = 0;
+	for (int32_t k = cni_handles_next(&world->shape_handles, 0); k != CNI_NONE; k = cni_handles_next(&world->shape_handles, k + 1))
 		attached += cni_shape_at(world, k)->body != CNI_NONE;
 	expect(r, attached == r->shapes, "shapes in lists of bodies", attached);
 }
@@ -304,8 +303,7 @@ static void check_shapes(report *r)
 static void check_areas(report *r)
 {
 	const cn_world *world = r->world;
-	int32_t k;
-	for (k = 0; k < world->areas.count && r->what == NULL; ++k) {
+	for (int32_t k = 0; k < world->areas.count && r->what == NULL; ++k) {
 		expect(r, cni_handles_alive(&world->shape_handles, cni_areas(world)[k].shape), "shape of area", k);
 		expect(r, k == 0 || cni_area_is_before(cni_areas(world) + k - 1, cni_areas(world) + k), "order of area", k);
 	}
@@ -313,7 +311,6 @@ static void check_areas(report *r)
 
 cn_result cn_world_validate(const cn_world *world, char *text, int32_t text_bytes)
 {
-	cni_text out;
 	report r;
 	if (world == NULL || text_bytes < 0 || (text == NULL && text_bytes > 0))
 		return CN_ERROR_ARGUMENT;
@@ -326,7 +323,7 @@ cn_result cn_world_validate(const cn_world *world, char *text, int32_t text_byte
 	check_joints(&r);
 	check_areas(&r);
 	expect(&r, cni_broadphase_holds(world->broadphase_ops, world->broadphase), "broadphase", 0);
-	out = cni_text_begin(text, text_bytes);
+	cni_text out = cni_text_begin(text, text_bytes);
 	if (r.what == NULL)
 		return CN_OK;
 	cni_text_string(&out, "broken invariant: ");
