@@ -348,7 +348,7 @@ static void trusses_fall_calmly_when_they_lose_a_wall(void)
 {
 	double most = 0.0;
 	int32_t k;
-	for (k = 0; k < 12; ++k)
+	for (k = 0; k < 6; ++k)
 		most = fmax(most, truss_lets_go(CN_SOLVER_AUTO, 4, 240 + 4 * k));
 	CHECK_LE("speed of what is left of a truss / with soft constraints and 64 substeps", most / truss_lets_go(CN_SOLVER_SOFT, 64, 240), 1.2, "");
 }
@@ -503,7 +503,8 @@ static void join_here(scene *s, cn_body a, cn_body b, int32_t pins)
 	}
 }
 
-/* Boxes in a row are pushed about; every two get one more joint every 0.1 s, until their system takes too much work. Returns the widest gap. */
+/* Boxes in a row are pushed about; every two get one more joint every 0.1 s, and at last 21 at once: their system takes too much work. Returns the
+   widest gap. */
 static double glued_boxes_open_by(int32_t joints, int32_t pins, uint32_t seed)
 {
 	scene s = scene_open(10.0, 0, CN_SOLVER_AUTO);
@@ -513,8 +514,8 @@ static double glued_boxes_open_by(int32_t joints, int32_t pins, uint32_t seed)
 	for (k = 0; k < 4; ++k)
 		keep(&s, fixture_box(s.world, CN_BODY_DYNAMIC, 0.6f * (float)k, 0.3f, 0.0f, 0.28f, 0.28f, 0.6f, 0.0f));
 	for (step = 0; step < 240; ++step) {
-		for (k = 1; k < 4 && step % 6 == 0 && step / 6 < joints; ++k)
-			join_here(&s, s.bodies[k - 1], s.bodies[k], pins);
+		for (k = 0; k < 3 * (step / 6 == joints - 1 ? 21 : 1) && step % 6 == 0 && step / 6 < joints; ++k)
+			join_here(&s, s.bodies[k % 3], s.bodies[k % 3 + 1], pins);
 		for (k = 0; k < 4 && step % 15 == 7; ++k) {
 			cn_velocity v = fixture_velocity(s.world, s.bodies[k]);
 			float vx = fixture_random(&seed, -1.0f, 1.0f), vy = fixture_random(&seed, 0.0f, 1.0f);
@@ -534,7 +535,7 @@ static void too_many_joints_stay_closed(void)
 	for (pins = 0; pins < 2; ++pins)
 		for (joints = 4; joints <= 10; ++joints)
 			widest = greater(widest, glued_boxes_open_by(joints, pins, 7u * (uint32_t)joints));
-	CHECK_LE("widest gap with 4 to 10 welds or pins between each two boxes", widest, 0.01, "m");
+	CHECK_LE("widest gap with 24 to 30 welds or pins between each two boxes", widest, 0.01, "m");
 }
 
 /* A straight bridge of planks of which one after another is kinematic for a step, and moves in a way that the others cannot follow. Returns its
@@ -633,9 +634,9 @@ static double joined_walker_reaches(uint32_t seed)
 static void joints_made_in_play_throw_nothing(void)
 {
 	int32_t k, thrown = 0;
-	for (k = 1; k <= 100; ++k)
+	for (k = 1; k <= 50; ++k)
 		thrown += joined_walker_reaches(1234567u * (uint32_t)k) > 30.0;
-	CHECK_LE("walkers of 100 that pass 30 m/s when their parts are joined", thrown, 1, "");
+	CHECK_LE("walkers of 50 that pass 30 m/s when their parts are joined", thrown, 1, "");
 }
 
 int main(void)
