@@ -534,7 +534,7 @@ static void torn_linkages_close_calmly(void)
 {
 	double worst = 0.0;
 	int32_t k;
-	for (k = 0; k < 36; ++k) {
+	for (k = 0; k < TEST_MANY(36); ++k) {
 		float way = 0.5f + 0.25f * (float)(k / 9), direction = 0.7f * (float)(k % 9);
 		double soft = torn_linkage_speed(k % 3, way, direction, CN_SOLVER_SOFT);
 		worst = fmax(worst, torn_linkage_speed(k % 3, way, direction, CN_SOLVER_AUTO) / (3.0 * soft + 2.0));
@@ -629,7 +629,7 @@ static void nets_of_mixed_joints_are_not_thrown(void)
 {
 	int32_t thrown = 0, soft = 0;
 	uint32_t seed;
-	for (seed = 1; seed <= 100; ++seed) {
+	for (seed = 1; seed <= TEST_MANY(100); ++seed) {
 		thrown += hung_net(seed, CN_SOLVER_AUTO) > 250.0;
 		soft += hung_net(seed, CN_SOLVER_SOFT) > 250.0;
 	}

@@ -385,7 +385,7 @@ static double light_ones_between_heavy_ones(float ratio, double *widest)
 	double fastest = 0.0;
 	int32_t run;
 	*widest = 0.0;
-	for (run = 0; run < 40; ++run)
+	for (run = 0; run < TEST_MANY(40); ++run)
 		fastest = fmax(fastest, light_between_heavy(&seed, ratio, widest));
 	return fastest;
 }
@@ -442,7 +442,7 @@ static double light_discs_on_long_arms(uint32_t seed, int32_t solver)
 static void light_discs_on_long_arms_are_not_thrown(void)
 {
 	int32_t seed, thrown = 0;
-	for (seed = 1; seed <= 200; ++seed)
+	for (seed = 1; seed <= TEST_MANY(200); ++seed)
 		thrown += light_discs_on_long_arms((uint32_t)seed * 7919u, CN_SOLVER_AUTO) > 100.0;
 	CHECK_LE("rows that are thrown", (double)thrown, 2.0, "of 200");
 }
@@ -480,7 +480,7 @@ static void slides_that_part_are_not_thrown(void)
 {
 	double fastest = 0.0;
 	int32_t seed;
-	for (seed = 1; seed <= 40; ++seed)
+	for (seed = 1; seed <= TEST_MANY(40); ++seed)
 		fastest = fmax(fastest, slides_part((uint32_t)seed * 7919u, CN_SOLVER_AUTO));
 	CHECK_LE("fastest box", fastest, 110.0, "m/s");
 }
@@ -634,7 +634,7 @@ static double joined_walker_reaches(uint32_t seed)
 static void joints_made_in_play_throw_nothing(void)
 {
 	int32_t k, thrown = 0;
-	for (k = 1; k <= 50; ++k)
+	for (k = 1; k <= TEST_MANY(50); ++k)
 		thrown += joined_walker_reaches(1234567u * (uint32_t)k) > 30.0;
 	CHECK_LE("walkers of 50 that pass 30 m/s when their parts are joined", thrown, 1, "");
 }
