@@ -38,10 +38,10 @@ int32_t cni_component_held(const cn_world *world, const cni_sparse *sparse, cons
 	return count;
 }
 
-int32_t cni_component_is_braced(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+int32_t cni_component_is_braced(const cni_component *c, int32_t held)
 {
 	int32_t bodies = c->body_end - c->body_begin;
-	return bodies <= CNI_LOOP_BODIES * (c->end - c->begin - bodies) && cni_component_held(world, sparse, c) > 1;
+	return held > 1 && bodies <= CNI_LOOP_BODIES * (c->end - c->begin - bodies);
 }
 
 void cni_component_release(cn_world *world, cni_sparse *sparse, cni_component *c)

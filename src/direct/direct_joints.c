@@ -34,13 +34,19 @@ static int32_t is_requested(const cn_world *world, const cni_sparse *sparse, con
 	return island != CNI_NONE && cni_island_at(world, island)->joints_solver == CN_SOLVER_DIRECT;
 }
 
-/* Pins and rods alone, and welds where it is one row of parts between two fixed ends. */
+/* One row of parts between two fixed ends. */
+static int32_t is_row(const cni_component *c, int32_t held)
+{
+	return held == 2 && c->end - c->begin == c->body_end - c->body_begin + 1;
+}
+
+/* Pins and rods alone, and welds where it is a row. */
 static int32_t may_be_straight(const cn_world *world, const cni_sparse *sparse, const cni_component *c, int32_t fixed)
 {
-	int32_t k, is_row = c->end - c->begin == c->body_end - c->body_begin + 1 && fixed == 2;
+	int32_t k;
 	for (k = c->begin; k < c->end; ++k) {
 		int32_t type = cni_joint_constraints(world)[sparse->nodes[k].owner].record->type;
-		if (sparse->nodes[k].rows != 2 && type != CN_JOINT_DISTANCE && !(is_row && type == CN_JOINT_FIXED))
+		if (sparse->nodes[k].rows != 2 && type != CN_JOINT_DISTANCE && !(is_row(c, fixed) && type == CN_JOINT_FIXED))
 			return 0;
 	}
 	return 1;
@@ -98,7 +104,7 @@ static int32_t loop_is_better_soft(const cn_world *world, const cni_solve *s, co
 	if (!may_be_straight(world, sparse, c, fixed))
 		return 0;
 	if (fixed > 1)
-		return opened || !cni_component_is_braced(world, sparse, c);
+		return opened || !cni_component_is_braced(c, fixed);
 	return opened || (2 * touched > bodies && touched > cni_heavy_contacts_most(sparse, c));
 }
 
@@ -152,8 +158,8 @@ static void soften_for(cn_world *world, cni_sparse *sparse, cni_component *c, in
    fixed ends that may be too straight to close. */
 static int32_t is_torn(const cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c)
 {
-	int32_t is_row = c->uses_rattle && c->end - c->begin == c->body_end - c->body_begin + 1 && cni_component_held(world, sparse, c) == 2;
-	return !c->has_contacts && (is_row ? is_open(world, s, sparse, c) : widest_gap(world, sparse, c) > CNI_JOINT_TORN * world->settings.length_unit);
+	int32_t row = c->uses_rattle && is_row(c, cni_component_held(world, sparse, c));
+	return !c->has_contacts && (row ? is_open(world, s, sparse, c) : widest_gap(world, sparse, c) > CNI_JOINT_TORN * world->settings.length_unit);
 }
 
 /* A net of ropes that are too long: exact ones would lift its load by all that they are, and let other parts of the net go slack. */
@@ -238,9 +244,9 @@ static int32_t is_ill_scaled(cn_world *world, const cni_solve *s, cni_sparse *sp
    freely turns at rest in itself, and stays with RATTLE. */
 static void rattle_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c)
 {
-	int32_t held = c->loops && cni_component_held(world, sparse, c) > 0;
-	float bodies = held && cni_component_is_braced(world, sparse, c) ? (float)(c->body_end - c->body_begin) : 0.0f;
-	if (held && is_redundant(world, s, sparse, c, CNI_RATTLE_REDUNDANT * cni_max(CNI_RATTLE_BRACED * bodies, 1.0f)))
+	int32_t held = c->loops ? cni_component_held(world, sparse, c) : 0;
+	float bodies = cni_component_is_braced(c, held) ? (float)(c->body_end - c->body_begin) : 0.0f;
+	if (held > 0 && is_redundant(world, s, sparse, c, CNI_RATTLE_REDUNDANT * cni_max(CNI_RATTLE_BRACED * bodies, 1.0f)))
 		c->uses_rattle = 0;
 	else
 		cni_sparse_clear(sparse, c);

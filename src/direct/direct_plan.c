@@ -208,7 +208,7 @@ static void joints_mark(cn_world *world, const cni_link *links, int32_t count, c
 static int32_t is_costly(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
 	return c->loops && !c->has_contacts && c->work > JOINT_WORK * (c->end - c->begin) + 64 && world->settings.solver == CN_SOLVER_AUTO &&
-	       !joint_has_full_work(world, cni_joint_constraints(world) + sparse->nodes[c->begin].owner) && !cni_component_is_braced(world, sparse, c);
+	       !joint_has_full_work(world, cni_joint_constraints(world) + sparse->nodes[c->begin].owner) && !cni_component_is_braced(c, cni_component_held(world, sparse, c));
 }
 
 static void costly_release(cn_world *world, cni_sparse *sparse, cni_component *c)

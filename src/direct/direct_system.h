@@ -16,8 +16,9 @@ int32_t cni_direct_plan(cn_world *world, cni_sparse *out);
 void cni_direct_refresh(cn_world *world, cni_sparse *sparse, const cni_component *c);
 /* Number of its joints that end at a body without mass. */
 int32_t cni_component_held(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
-/* 1: fixed bodies hold it at more than one joint, and its loops have few bodies each: a short bridge, a truss. For components without contacts. */
-int32_t cni_component_is_braced(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
+/* 1: fixed bodies hold it at more than one joint (held: cni_component_held), and its loops have few bodies each: a short bridge, a truss. For
+   components without contacts. */
+int32_t cni_component_is_braced(const cni_component *c, int32_t held);
 /* Returns the joints of the component to the soft solver for this step. */
 void cni_component_release(cn_world *world, cni_sparse *sparse, cni_component *c);
 /* ... and for `span` steps; 0: for a span that doubles with each failure. */
