@@ -292,7 +292,7 @@ static double bridge_run(int32_t planks, double arc, int32_t boxes, float factor
 	return w.apart;
 }
 
-/* Loops of pins that carry something are soft: as good as with CN_SOLVER_SOFT. */
+/* Long loops of pins that carry something are soft: as good as with CN_SOLVER_SOFT. Short ones are exact. */
 static void loaded_bridges_are_as_good_as_soft(void)
 {
 	static const struct {
@@ -307,7 +307,7 @@ static void loaded_bridges_are_as_good_as_soft(void)
 		double gained, of_soft, soft = bridge_run(runs[k].planks, runs[k].arc, runs[k].boxes, runs[k].factor, CN_SOLVER_SOFT, &of_soft);
 		double apart = bridge_run(runs[k].planks, runs[k].arc, runs[k].boxes, runs[k].factor, CN_SOLVER_AUTO, &gained);
 		printf("  %s: anchors apart by %.4f m, with CN_SOLVER_SOFT %.4f m\n", runs[k].name, apart, soft);
-		CHECK_LE("greatest distance between anchors, of that of CN_SOLVER_SOFT", apart / soft, 1.5, "");
+		CHECK_LE("greatest distance between anchors, of that of CN_SOLVER_SOFT", apart / soft, runs[k].planks > 32 ? 1.5 : 0.1, "");
 		CHECK_LE("energy gained, by what the bodies weigh", gained, 0.01, "m");
 	}
 }

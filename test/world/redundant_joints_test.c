@@ -447,7 +447,6 @@ static void light_discs_on_long_arms_are_not_thrown(void)
 	CHECK_LE("rows that are thrown", (double)thrown, 2.0, "of 200");
 }
 
-/* Joins two bodies as they are now, so that each joint contradicts the others a little. */
 /* Five boxes on a floor, joined by slides along their row, part at different speeds until they are up to 24 m apart; a motor holds the first. Returns
    the greatest speed of one within 12 s, in which a body that falls reaches 120 m/s. */
 static double slides_part(uint32_t seed, int32_t solver)
@@ -485,10 +484,10 @@ static void slides_that_part_are_not_thrown(void)
 	CHECK_LE("fastest box", fastest, 110.0, "m/s");
 }
 
-static void join_here(scene *s, cn_body a, cn_body b, int32_t pins)
+/* Joins two bodies as they are now at a point, so that each joint contradicts the others a little. */
+static void join_at(scene *s, cn_body a, cn_body b, float x, float y, int32_t pins)
 {
 	cn_pose pa = fixture_pose(s->world, a), pb = fixture_pose(s->world, b);
-	float x = 0.5f * (pa.position_m.x + pb.position_m.x), y = 0.5f * (pa.position_m.y + pb.position_m.y);
 	cn_vec2 la, lb;
 	must(cn_body_get_local_point(s->world, a, x, y, &la), s->world, "cn_body_get_local_point");
 	must(cn_body_get_local_point(s->world, b, x, y, &lb), s->world, "cn_body_get_local_point");
@@ -501,6 +500,12 @@ static void join_here(scene *s, cn_body a, cn_body b, int32_t pins)
 		def.reference_angle_rad = (float)atan2((double)(pa.cosine * pb.sine - pa.sine * pb.cosine), (double)(pa.cosine * pb.cosine + pa.sine * pb.sine));
 		s->joints[s->joint_count++] = make_fixed(s->world, &def);
 	}
+}
+
+static void join_here(scene *s, cn_body a, cn_body b, int32_t pins)
+{
+	cn_vec2 pa = fixture_pose(s->world, a).position_m, pb = fixture_pose(s->world, b).position_m;
+	join_at(s, a, b, 0.5f * (pa.x + pb.x), 0.5f * (pa.y + pb.y), pins);
 }
 
 /* Boxes in a row are pushed about; every two get one more joint every 0.1 s, and at last 21 at once: their system takes too much work. Returns the
@@ -581,19 +586,12 @@ static void pulled_bridges_are_not_thrown(void)
 static void join_in_play(scene *s, uint32_t *random)
 {
 	cn_body a = s->bodies[(int32_t)fixture_random(random, 0.0f, 8.99f)], b = s->bodies[(int32_t)fixture_random(random, 0.0f, 8.99f)];
-	cn_vec2 to = fixture_pose(s->world, b).position_m, local;
+	cn_vec2 to = fixture_pose(s->world, b).position_m;
 	int32_t kind = (int32_t)fixture_random(random, 0.0f, 2.99f);
 	if (a == b)
 		return;
-	must(cn_body_get_local_point(s->world, a, to.x, to.y, &local), s->world, "cn_body_get_local_point");
-	if (kind == 0) {
-		pin(s, a, local, b, at(0.0f, 0.0f));
-	} else if (kind == 1) {
-		cn_fixed_def def;
-		cn_fixed_def_init(&def);
-		connect(&def.base, a, local, b, at(0.0f, 0.0f));
-		def.reference_angle_rad = (float)(angle_of(s->world, b) - angle_of(s->world, a));
-		s->joints[s->joint_count++] = make_fixed(s->world, &def);
+	if (kind < 2) {
+		join_at(s, a, b, to.x, to.y, kind == 0);
 	} else {
 		cn_vec2 from = fixture_pose(s->world, a).position_m;
 		cn_distance_def def = distance_def(a, at(0.0f, 0.0f), b, at(0.0f, 0.0f), hypotf(to.x - from.x, to.y - from.y));
