@@ -64,11 +64,6 @@ uint64_t cni_direct_bytes(int32_t solver, int32_t joints, int32_t contacts, int3
 
 /* ---- joints ---- */
 
-static int32_t body_is_locked(const cn_world *world, int32_t index)
-{
-	return (cni_externals(world)[index].flags & (CNI_EXTERNAL_LOCK_X | CNI_EXTERNAL_LOCK_Y)) != 0;
-}
-
 /* 1: single islands may take as much work as CN_SOLVER_DIRECT. A world in a caller's block has scratch memory for its own solver only. */
 static int32_t full_work_is_allowed(const cn_world *world)
 {
@@ -90,8 +85,7 @@ static int32_t constraint_is_eligible(const cn_world *world, const cni_joint_con
 	int32_t left_soft = world->joints_soft_step > world->step_count && w->record->trust.soft && w->record->trust.until > world->step_count;
 	if (!CNI_ON(DIRECT_JOINTS) || (world->overridden && w->record->solver == CN_SOLVER_SOFT))
 		return 0;
-	return (w->rigid_count > 0 || (w->flags & CNI_CONSTRAINT_TAUT)) && !left_soft && !(w->flags & (CNI_CONSTRAINT_SPRINGY | CNI_CONSTRAINT_BOUNDED)) &&
-	       !(w->ia != 0 && body_is_locked(world, w->ia)) && !(w->ib != 0 && body_is_locked(world, w->ib));
+	return (w->rigid_count > 0 || (w->flags & CNI_CONSTRAINT_TAUT)) && !left_soft && !(w->flags & (CNI_CONSTRAINT_SPRINGY | CNI_CONSTRAINT_BOUNDED | CNI_CONSTRAINT_STUCK));
 }
 
 static int32_t joint_links_collect(const cn_world *world, cni_link *links)

@@ -413,7 +413,7 @@ static void constraints_stress(const rattle_step *g)
 		cni_joint_constraint *w = constraint_of(g, k);
 		if ((w->flags & CNI_CONSTRAINT_BREAKABLE) && g->sparse->nodes[k].rows > 0) {
 			impulses_store(g, k, 1.0f);
-			cni_joint_constraint_stress(w, g->motions + w->ib, 1.0f / g->h);
+			cni_joint_constraint_stress(w, g->motions, 1.0f / g->h);
 		}
 	}
 }

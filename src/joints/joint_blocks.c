@@ -239,11 +239,6 @@ static int32_t lane_take(lane_builder *t, int32_t k)
    joints are in lanes of colours, the blocks of the last step are filled again in place, while the records are in the cache, without a new
    colouring. Otherwise lanes are assigned from scratch. */
 
-static int32_t is_locked(const cn_world *world, int32_t body)
-{
-	return body != CNI_NONE && (cni_body_at(world, body)->flags & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y)) != 0;
-}
-
 /* Fills the lane of the last step with joint constraint k. 0: the joint does not belong there any more. Writes only its own lane. */
 static int32_t lane_fill_again(cn_world *world, const cni_solve *s, struct cni_lane_setup *setup, int32_t k)
 {
@@ -258,7 +253,7 @@ static int32_t lane_fill_again(cn_world *world, const cni_solve *s, struct cni_l
 	if (block->parts)
 		block->spring_j[l] = block->motor_j[l] = block->limit_j[l] = 0.0f;
 	cni_joint_lane_fill(world, s, &setup->spring, k, block, l);
-	setup->special |= is_new || (w->flags & CNI_CONSTRAINT_TAUT) || is_locked(world, w->record->body[0]) || is_locked(world, w->record->body[1]);
+	setup->special |= is_new || (w->flags & CNI_CONSTRAINT_TAUT);
 	++setup->filled;
 	return 1;
 }
@@ -304,6 +299,8 @@ int32_t cni_joint_constraint_widen(cn_world *world, const cni_solve *s, struct c
 	if (form_of(j) == CNI_FORM_NONE || !may_use_lane(world, j))
 		return 0;
 	cni_joint_constraint_begin(world, k, j);
+	if (w->flags & CNI_CONSTRAINT_LOCKS)
+		return 0;
 	w->form = form_of(j);
 	w->parts = parts_of(j);
 	w->row_count = 0;

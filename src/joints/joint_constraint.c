@@ -22,21 +22,29 @@ static float mass_of(const cni_row *r, int32_t i, int32_t k, const cni_motion *a
 	return cni_lever_mass(&r[i].lever, &r[k].lever, a, b);
 }
 
-void cni_rows_invert(const cni_row *r, int32_t count, const cni_motion *a, const cni_motion *b, float *inv)
+/* Locked axes may leave rows, or a direction of a point, that move nothing: these get a mobility of CNI_MOBILITY_LEAST_PART. */
+static float mobility_least(const cni_joint_constraint *w, const cni_motion *a, const cni_motion *b)
 {
+	return w->flags & CNI_CONSTRAINT_LOCKS ? CNI_MOBILITY_LEAST_PART * (a->inv_mass + b->inv_mass) : 0.0f;
+}
+
+void cni_rows_invert(const cni_joint_constraint *w, int32_t first, int32_t count, const cni_motion *a, const cni_motion *b, float *inv)
+{
+	const cni_row *r = w->rows + first;
+	float more = mobility_least(w, a, b);
 	if (count == 1) {
-		float k = mass_of(r, 0, 0, a, b);
+		float k = mass_of(r, 0, 0, a, b) + more;
 		inv[0] = k > 0.0f ? 1.0f / k : 0.0f;
 	} else if (count == 2) {
-		float k00 = mass_of(r, 0, 0, a, b), k01 = mass_of(r, 0, 1, a, b), k11 = mass_of(r, 1, 1, a, b);
+		float k00 = mass_of(r, 0, 0, a, b) + more, k01 = mass_of(r, 0, 1, a, b), k11 = mass_of(r, 1, 1, a, b) + more;
 		float det = k00 * k11 - k01 * k01;
 		float d = det > 0.0f ? 1.0f / det : 0.0f;
 		inv[0] = k11 * d;
 		inv[1] = -k01 * d;
 		inv[3] = k00 * d;
 	} else if (count == 3) {
-		float k00 = mass_of(r, 0, 0, a, b), k01 = mass_of(r, 0, 1, a, b), k02 = mass_of(r, 0, 2, a, b);
-		float k11 = mass_of(r, 1, 1, a, b), k12 = mass_of(r, 1, 2, a, b), k22 = mass_of(r, 2, 2, a, b);
+		float k00 = mass_of(r, 0, 0, a, b) + more, k01 = mass_of(r, 0, 1, a, b), k02 = mass_of(r, 0, 2, a, b);
+		float k11 = mass_of(r, 1, 1, a, b) + more, k12 = mass_of(r, 1, 2, a, b), k22 = mass_of(r, 2, 2, a, b) + more;
 		float c00 = k11 * k22 - k12 * k12, c01 = k02 * k12 - k01 * k22, c02 = k01 * k12 - k02 * k11;
 		float det = k00 * c00 + k01 * c01 + k02 * c02;
 		float d = det > 0.0f ? 1.0f / det : 0.0f;
@@ -112,19 +120,39 @@ static void row_decouple(cni_joint_constraint *w, int32_t k, const cni_motion *a
 		cni_lever_add(&r->lever, share[i], &w->rows[i].lever);
 }
 
+/* No impulse moves a body along a locked axis, and the body has no speed along it. */
+static void rows_lock(cni_row *rows, int32_t count, uint32_t flags)
+{
+	for (int32_t k = 0; k < count; ++k) {
+		cni_lever *l = &rows[k].lever;
+		l->ax = flags & CNI_CONSTRAINT_LOCK_A * CN_BODY_LOCK_X ? 0.0f : l->ax;
+		l->ay = flags & CNI_CONSTRAINT_LOCK_A * CN_BODY_LOCK_Y ? 0.0f : l->ay;
+		l->bx = flags & CNI_CONSTRAINT_LOCK_B * CN_BODY_LOCK_X ? 0.0f : l->bx;
+		l->by = flags & CNI_CONSTRAINT_LOCK_B * CN_BODY_LOCK_Y ? 0.0f : l->by;
+	}
+}
+
+static int32_t rows_make(const cni_joint_constraint *w, const cni_joint_frame *f, cni_row *rows)
+{
+	int32_t count = w->make_rows(w->record, f, rows);
+	if (w->flags & CNI_CONSTRAINT_LOCKS)
+		rows_lock(rows, count, w->flags);
+	return count;
+}
+
 /* The rows stay the same in the same order during a step: the first build sets rigid_count. */
 static void rows_build(cni_joint_constraint *w, const cni_motion *a, const cni_motion *b)
 {
 	cni_joint_frame f = constraint_frame(w, a, b);
-	w->row_count = w->make_rows(w->record, &f, w->rows);
+	w->row_count = rows_make(w, &f, w->rows);
 	for (int32_t k = 0; w->rigid_count < 0; ++k)
 		if (k == w->row_count || (w->rows[k].kind != CNI_ROW_RIGID && w->rows[k].kind != CNI_ROW_DRIVE))
 			w->rigid_count = k;
-	cni_rows_invert(w->rows, w->rigid_count, a, b, w->numbers->inverse);
+	cni_rows_invert(w, 0, w->rigid_count, a, b, w->numbers->inverse);
 	for (int32_t k = w->rigid_count; k < w->row_count; ++k) {
 		if (constraint_is_decoupled(w))
 			row_decouple(w, k, a, b);
-		float mass = mass_of(w->rows, k, k, a, b);
+		float mass = mass_of(w->rows, k, k, a, b) + mobility_least(w, a, b);
 		w->numbers->single_mass[k] = mass > 0.0f ? 1.0f / mass : 0.0f;
 	}
 }
@@ -137,7 +165,7 @@ void cni_joint_constraint_rows(cni_joint_constraint *w, const cni_motion *motion
 		cni_rows_point_turn(w->rows, ra, rb, constraint_gap(w, a, b, ra, rb));
 	} else {
 		cni_joint_frame f = constraint_frame_turned(w, a, b, turns[w->ia], turns[w->ib]);
-		(void)w->make_rows(w->record, &f, w->rows);
+		(void)rows_make(w, &f, w->rows);
 	}
 }
 
@@ -159,15 +187,15 @@ void cni_joint_constraint_ahead(const cni_joint_constraint *w, const cni_motion 
 /* ---- from the record and back ---- */
 
 /* Converts impulses between the record, for the type's rows, and decoupled rows: sign +1 stores, -1 loads. */
-static void impulses_recouple(const cn_world *world, const cni_joint_constraint *w, float sign, float *impulse)
+static void impulses_recouple(const cni_motion *motions, const cni_joint_constraint *w, float sign, float *impulse)
 {
-	const cni_motion *a = cni_motions(world) + w->ia, *b = cni_motions(world) + w->ib;
+	const cni_motion *a = motions + w->ia, *b = motions + w->ib;
 	cni_row rows[CNI_JOINT_ROWS];
 	float share[CNI_JOINT_RIGID_ROWS];
 	if (!constraint_is_decoupled(w))
 		return;
 	cni_joint_frame f = constraint_frame(w, a, b);
-	w->make_rows(w->record, &f, rows);
+	(void)rows_make(w, &f, rows);
 	for (int32_t k = w->rigid_count; k < w->row_count; ++k) {
 		row_shares(w, &rows[k], a, b, share);
 		for (int32_t i = 0; i < w->rigid_count; ++i)
@@ -175,7 +203,12 @@ static void impulses_recouple(const cn_world *world, const cni_joint_constraint 
 	}
 }
 
-static uint32_t constraint_flags(const cni_joint *j)
+static uint32_t locks_of(const cn_world *world, int32_t body, uint32_t first)
+{
+	return body == CNI_NONE ? 0u : (cni_body_at(world, body)->flags & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y)) * first;
+}
+
+static uint32_t constraint_flags(const cn_world *world, const cni_joint *j)
 {
 	uint32_t uses = cni_joint_type_of(j->type)->uses, flags = 0;
 	if (j->force_max > 0.0f || j->torque_max > 0.0f)
@@ -186,7 +219,7 @@ static uint32_t constraint_flags(const cni_joint *j)
 		flags |= CNI_CONSTRAINT_GROUNDS;
 	if (j->stiffness_hertz > 0.0f || (uses & CNI_USES_DRIVE))
 		flags |= CNI_CONSTRAINT_SPRINGY;
-	return flags;
+	return flags | locks_of(world, j->body[0], CNI_CONSTRAINT_LOCK_A) | locks_of(world, j->body[1], CNI_CONSTRAINT_LOCK_B);
 }
 
 /* Softness of the first rows and limits, and of the spring. */
@@ -217,8 +250,17 @@ void cni_joint_constraint_begin(cn_world *world, int32_t k, const cni_joint *j)
 	w->active_row = CNI_NONE;
 	w->ia = j->body[0] == CNI_NONE ? 0 : cni_body_at(world, j->body[0])->awake;
 	w->ib = j->body[1] == CNI_NONE ? 0 : cni_body_at(world, j->body[1])->awake;
-	w->flags = constraint_flags(j);
+	w->flags = constraint_flags(world, j);
 	w->start = cni_joint_frame_place(world, j);
+}
+
+/* Is an eigenvalue of K not far above mobility_least, which K contains? */
+static int32_t is_stuck(const cni_joint_constraint *w, const cni_motion *a, const cni_motion *b)
+{
+	float most = 0.0f;
+	for (int32_t i = 0; i < w->rigid_count; ++i)
+		most = cni_max(most, w->numbers->inverse[cni_inverse_at(i, i)]);
+	return most * mobility_least(w, a, b) > 0.1f;
 }
 
 static void rows_begin(cn_world *world, const cni_solve *s, cni_joint_constraint *w)
@@ -227,6 +269,8 @@ static void rows_begin(cn_world *world, const cni_solve *s, cni_joint_constraint
 	float impulse[CNI_JOINT_ROWS];
 	w->rigid_count = -1;
 	rows_build(w, cni_motions(world) + w->ia, cni_motions(world) + w->ib);
+	if ((w->flags & CNI_CONSTRAINT_LOCKS) && is_stuck(w, cni_motions(world) + w->ia, cni_motions(world) + w->ib))
+		w->flags |= CNI_CONSTRAINT_STUCK;
 	constraint_soften(w, j, s);
 	if (w->flags & CNI_CONSTRAINT_BOUNDED) {
 		w->numbers->force_max = j->force_max > 0.0f ? j->force_max : FLT_MAX;
@@ -236,7 +280,7 @@ static void rows_begin(cn_world *world, const cni_solve *s, cni_joint_constraint
 		w->numbers->force_stress = w->numbers->torque_stress = 0.0f;
 	for (int32_t r = 0; r < w->row_count; ++r)
 		impulse[r] = j->impulse[w->rows[r].slot];
-	impulses_recouple(world, w, -1.0f, impulse);
+	impulses_recouple(cni_motions(world), w, -1.0f, impulse);
 	for (int32_t r = 0; r < w->row_count; ++r)
 		w->rows[r].impulse = impulse[r];
 }
@@ -276,7 +320,7 @@ void cni_joint_rows_end(const cn_world *world, const cni_joint_constraint *w, cn
 	float impulse[CNI_JOINT_ROWS];
 	for (int32_t r = 0; r < w->row_count; ++r)
 		impulse[r] = w->rows[r].impulse;
-	impulses_recouple(world, w, 1.0f, impulse);
+	impulses_recouple(cni_motions(world), w, 1.0f, impulse);
 	for (int32_t r = 0; r < CNI_JOINT_ROWS; ++r)
 		j->impulse[r] = 0.0f;
 	for (int32_t r = 0; r < w->row_count; ++r)
@@ -329,11 +373,27 @@ void cni_joint_rows_renew(cn_world *world, cni_joint_constraint *w)
 		rows_renew(world, w);
 }
 
-void cni_joint_constraint_stress(cni_joint_constraint *w, const cni_motion *b, float inv_h)
+/* Locked levers say nothing of the force that a locked axis bears. */
+static void rows_unlock(const cni_joint_constraint *w, const cni_motion *motions, cni_row *rows)
 {
-	cni_vec2 rb = cni_rotate(cni_rot_small(b->theta), w->start.rb), linear;
+	cni_joint_frame f = constraint_frame(w, motions + w->ia, motions + w->ib);
+	float impulse[CNI_JOINT_ROWS];
+	for (int32_t k = 0; k < w->row_count; ++k)
+		impulse[k] = w->rows[k].impulse;
+	impulses_recouple(motions, w, 1.0f, impulse);
+	(void)w->make_rows(w->record, &f, rows);
+	for (int32_t k = 0; k < w->row_count; ++k)
+		rows[k].impulse = impulse[k];
+}
+
+void cni_joint_constraint_stress(cni_joint_constraint *w, const cni_motion *motions, float inv_h)
+{
+	cni_vec2 rb = cni_rotate(cni_rot_small(motions[w->ib].theta), w->start.rb), linear;
+	cni_row unlocked[CNI_JOINT_ROWS];
 	float angular;
-	cni_rows_impulse(w->rows, w->row_count, rb, &linear, &angular);
+	if (w->flags & CNI_CONSTRAINT_LOCKS)
+		rows_unlock(w, motions, unlocked);
+	cni_rows_impulse(w->flags & CNI_CONSTRAINT_LOCKS ? unlocked : w->rows, w->row_count, rb, &linear, &angular);
 	w->numbers->force_stress = cni_max(w->numbers->force_stress, cni_length(linear) * inv_h);
 	w->numbers->torque_stress = cni_max(w->numbers->torque_stress, cni_abs(angular) * inv_h);
 }

@@ -16,7 +16,11 @@ enum {
 	CNI_CONSTRAINT_DIRECT = 1u << 4,    /* its rigid rows are solved with its neighbours': direct/direct_joints.c */
 	CNI_CONSTRAINT_FINISHED = 1u << 5,  /* its whole step is done: direct/rattle.c */
 	CNI_CONSTRAINT_BATCHED = 1u << 6,   /* in a lane of a batch, with its pin: direct/batched_trees.c */
-	CNI_CONSTRAINT_TAUT = 1u << 7       /* a rope whose limit may be solved with its neighbours' rows: direct/active_rows.c */
+	CNI_CONSTRAINT_TAUT = 1u << 7,      /* a rope whose limit may be solved with its neighbours' rows: direct/active_rows.c */
+	CNI_CONSTRAINT_LOCK_A = 1u << 8,    /* body a has this locked axis: its CN_BODY_LOCK_X and _Y flags from here on */
+	CNI_CONSTRAINT_LOCK_B = 1u << 10,
+	CNI_CONSTRAINT_LOCKS = 15u << 8,
+	CNI_CONSTRAINT_STUCK = 1u << 12     /* locked axes leave the first rows, or a direction of a point, next to no mobility */
 };
 
 /* Forms of lanes: joints/joint_pass.h. */
@@ -126,14 +130,14 @@ void cni_joint_rows_need(cn_world *world, const cni_solve *s, cni_joint_constrai
 void cni_joint_rows_end(const cn_world *world, const cni_joint_constraint *w, cni_joint *j);
 /* Builds the rows at the bodies' new positions with their present impulses; the change of the impulses' response goes into start. */
 void cni_joint_rows_renew(cn_world *world, cni_joint_constraint *w);
-/* Inverse of the symmetric K of one to three rows, as numbers->inverse; a singular K has the inverse 0. Other counts: nothing. */
-void cni_rows_invert(const cni_row *r, int32_t count, const cni_motion *a, const cni_motion *b, float *inv);
+/* Inverse of the symmetric K of one to three rows from `first` on, as numbers->inverse; a singular K has the inverse 0. Other counts: nothing. */
+void cni_rows_invert(const cni_joint_constraint *w, int32_t first, int32_t count, const cni_motion *a, const cni_motion *b, float *inv);
 /* The type's rows without decoupling, for joints whose rows were built in this step and whose other rows are limits that cannot act;
    turns: rotations by the motions' theta. Leaves impulses undefined, and the other rows of pins as they were. */
 void cni_joint_constraint_rows(cni_joint_constraint *w, const cni_motion *motions, const cni_rot *turns);
 /* Predicts the errors of the rigid rows after a time h at the bodies' present velocities. */
 void cni_joint_constraint_ahead(const cni_joint_constraint *w, const cni_motion *motions, float h, float *errors);
 /* Records the largest reaction of the step. */
-void cni_joint_constraint_stress(cni_joint_constraint *w, const cni_motion *b, float inv_h);
+void cni_joint_constraint_stress(cni_joint_constraint *w, const cni_motion *motions, float inv_h);
 
 #endif

@@ -122,7 +122,7 @@ struct cni_lane_setup {
 	cni_lane_spring spring;
 	int32_t kept;    /* 1: lanes of the last step may be filled again */
 	int32_t filled;  /* number of lanes filled again */
-	int32_t special; /* 1: some of them have bodies locked along an axis, or new joints */
+	int32_t special; /* 1: some of them have new joints or taut ropes */
 };
 /* Sets up joint constraint k at the beginning of a step if it can be solved in a lane, and fills its lane of the last step if that is kept;
    0: it cannot. Workers may call this for different k at once. */

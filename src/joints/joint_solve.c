@@ -101,10 +101,11 @@ static int32_t block_clamp(const cni_row *rows, int32_t count, float most, float
 }
 
 /* Solves some of the first rows with the others fixed. */
-static void solve_part(cni_row *rows, int32_t count, float most, cni_motion *a, cni_motion *b, const cni_soft *soft)
+static void solve_part(cni_joint_constraint *w, int32_t first, int32_t count, float most, cni_motion *a, cni_motion *b, const cni_soft *soft)
 {
 	float inverse[6], dj[CNI_JOINT_RIGID_ROWS];
-	cni_rows_invert(rows, count, a, b, inverse);
+	cni_row *rows = w->rows + first;
+	cni_rows_invert(w, first, count, a, b, inverse);
 	block_solve(rows, count, inverse, a, b, soft, dj);
 	block_clamp(rows, count, most, dj);
 	block_push(rows, count, dj, a, b);
@@ -122,10 +123,10 @@ static void solve_bounded(cni_joint_constraint *w, cni_motion *a, cni_motion *b,
 	over_angular = block_clamp(w->rows + linear, angular, most_angular, dj + linear);
 	if (over_linear && !over_angular && angular > 0) {
 		block_push(w->rows, linear, dj, a, b);
-		solve_part(w->rows + linear, angular, most_angular, a, b, soft);
+		solve_part(w, linear, angular, most_angular, a, b, soft);
 	} else if (over_angular && !over_linear && linear > 0) {
 		block_push(w->rows + linear, angular, dj + linear, a, b);
-		solve_part(w->rows, linear, most_linear, a, b, soft);
+		solve_part(w, 0, linear, most_linear, a, b, soft);
 	} else {
 		block_push(w->rows, w->rigid_count, dj, a, b);
 	}
@@ -325,7 +326,7 @@ void cni_joints_stress(cn_world *world, const cni_solve *s)
 	for (int32_t k = world->joint_plain_first; k != CNI_NONE; k = w->next_plain) {
 		w = cni_joint_constraints(world) + k;
 		if (w->flags & CNI_CONSTRAINT_BREAKABLE)
-			cni_joint_constraint_stress(w, cni_motions(world) + w->ib, s->inv_h);
+			cni_joint_constraint_stress(w, cni_motions(world), s->inv_h);
 	}
 }
 
@@ -351,7 +352,7 @@ void cni_joints_store(cn_world *world, const cni_solve *s)
 			cni_joint_turns_advance(world, j, cni_motions(world)[w->ia].theta, cni_motions(world)[w->ib].theta);
 		if (w->flags & CNI_CONSTRAINT_BREAKABLE) {
 			if (!(w->flags & CNI_CONSTRAINT_FINISHED))
-				cni_joint_constraint_stress(w, cni_motions(world) + w->ib, s->inv_h);
+				cni_joint_constraint_stress(w, cni_motions(world), s->inv_h);
 			world->stressed_joints += is_beyond(w, j);
 		}
 	}

@@ -99,11 +99,10 @@ cn_result cni_body_reserve(cn_world *world, int32_t extra)
 
 void cni_body_refresh_motion(cn_world *world, cni_body *b)
 {
-	const uint32_t both = CN_BODY_LOCK_X | CN_BODY_LOCK_Y;
 	if (b->awake == 0)
 		return;
 	cni_motion *m = cni_motions(world) + b->awake;
-	m->inv_mass = b->type == CN_BODY_DYNAMIC && (b->flags & both) != both ? 1.0f / b->mass : 0.0f;
+	m->inv_mass = b->type == CN_BODY_DYNAMIC ? 1.0f / b->mass : 0.0f;
 	m->inv_inertia = b->type == CN_BODY_DYNAMIC && b->inertia > 0.0f && !(b->flags & CN_BODY_LOCK_ROTATION) ? 1.0f / b->inertia : 0.0f;
 	if (b->flags & CN_BODY_LOCK_X)
 		m->vx = b->vx = 0.0f;

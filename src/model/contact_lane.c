@@ -73,20 +73,6 @@ static float lane_radius(const cn_world *world, const cni_contact *c)
 	return cni_shape_geometry(&world->blocks, s)->radius;
 }
 
-/* Inverse mass along a direction, reduced by locked axes. */
-static float mass_along(const cni_body *b, float inv_mass, cni_vec2 n)
-{
-	uint32_t flags = cni_body_flags(b);
-	float x = flags & CN_BODY_LOCK_X ? 0.0f : n.x, y = flags & CN_BODY_LOCK_Y ? 0.0f : n.y;
-	return flags & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y) ? inv_mass * (x * x + y * y) : inv_mass;
-}
-
-static float mass_of_both(const lane_frame *f, float inv_a, float inv_b, cni_vec2 n)
-{
-	float sum = mass_along(f->a, inv_a, n) + mass_along(f->b, inv_b, n);
-	return sum >= CNI_MOBILITY_LEAST_PART * (inv_a + inv_b) ? sum : 0.0f;
-}
-
 static float lock(const cni_body *b, uint32_t flag)
 {
 	return cni_body_flags(b) & flag ? 1.0f : 0.0f;
@@ -104,7 +90,7 @@ static void lane_write_locks(const cn_world *world, const cni_contact *c, const 
 
 /* Inverse masses for the lane's impulses. */
 typedef struct lane_mass {
-	float n, t;   /* along n and t */
+	float ma, mb;
 	float ia, ib;
 	int32_t locked; /* 1: some axis is locked, and there are extra rows for it */
 } lane_mass;
@@ -114,18 +100,33 @@ typedef struct lane_mass {
 static lane_mass lane_mass_of(cn_world *world, const lane_frame *f)
 {
 	const cni_motion *ma = cni_motions(world) + f->a->awake, *mb = cni_motions(world) + f->b->awake;
-	lane_mass m;
-	m.ia = ma->inv_inertia;
-	m.ib = mb->inv_inertia;
-	m.n = m.t = ma->inv_mass + mb->inv_mass;
-	m.locked = f->locks && cni_lane_reserve_extra(world);
-	if (m.locked) {
-		m.n = mass_of_both(f, ma->inv_mass, mb->inv_mass, f->n);
-		m.t = mass_of_both(f, ma->inv_mass, mb->inv_mass, f->t);
-	} else if (f->locks) {
+	lane_mass m = { ma->inv_mass, mb->inv_mass, ma->inv_inertia, mb->inv_inertia, f->locks && cni_lane_reserve_extra(world) };
+	if (f->locks && !m.locked)
 		world->warnings |= CN_WARNING_FRAME_MEMORY;
-	}
 	return m;
+}
+
+/* Inverse mass along a direction, reduced by locked axes, and of the turn about an arm. */
+static float mobility_of(const cni_body *b, float inv_mass, float inv_inertia, cni_vec2 n, float arm)
+{
+	uint32_t flags = cni_body_flags(b);
+	float x = flags & CN_BODY_LOCK_X ? 0.0f : n.x, y = flags & CN_BODY_LOCK_Y ? 0.0f : n.y;
+	return inv_mass * (x * x + y * y) + inv_inertia * arm * arm;
+}
+
+/* Does an impulse move the body at least by CNI_MOBILITY_LEAST_PART of what it would without locked axes? */
+static int32_t is_mobile(const cni_body *b, float mobility)
+{
+	return b->type == CN_BODY_DYNAMIC && mobility * b->mass >= CNI_MOBILITY_LEAST_PART;
+}
+
+/* Effective mass of a row along n at the arms of both bodies, 0 if it moves neither. */
+CNI_INLINE float row_mass(const lane_frame *f, const lane_mass *m, cni_vec2 n, float arm_a, float arm_b)
+{
+	if (!m->locked)
+		return cni_inverse_or_zero(m->ma + m->mb + m->ia * arm_a * arm_a + m->ib * arm_b * arm_b);
+	float a = mobility_of(f->a, m->ma, m->ia, n, arm_a), b = mobility_of(f->b, m->mb, m->ib, n, arm_b);
+	return is_mobile(f->a, a) || is_mobile(f->b, b) ? 1.0f / (a + b) : 0.0f;
 }
 
 /* Rare data of a lane: locked axes, a changed material, rolling resistance. */
@@ -274,7 +275,7 @@ void cni_contact_write(cn_world *world, cni_contact *c, const cni_body *a, const
 		p->at[lane] = at;
 		p->an[lane] = an;
 		p->s0[lane] = point->separation;
-		p->nm[lane] = cni_inverse_or_zero(m.n + m.ia * at * at + m.ib * bt * bt);
+		p->nm[lane] = row_mass(&f, &m, f.n, at, bt);
 		p->jn[lane] = p->nm[lane] > 0.0f ? was.jn : 0.0f; /* if nothing can move, the kernels see a zero row */
 		p->load[lane] = p->nm[lane] > 0.0f ? was.load : 0.0f;
 		kept |= was.id != 0;
@@ -291,7 +292,7 @@ void cni_contact_write(cn_world *world, cni_contact *c, const cni_body *a, const
 	fb = fa - dn;
 	block->fa[lane] = fa;
 	block->fb[lane] = fb;
-	block->tm[lane] = cni_inverse_or_zero(m.t + m.ia * fa * fa + m.ib * fb * fb);
+	block->tm[lane] = row_mass(&f, &m, f.t, fa, fb);
 	if ((c->flags & CNI_CONTACT_REFRESH) || f.locks || (info->flags & CNI_BLOCK_EXTRA))
 		lane_write_rare(world, c, &f, &m);
 	anchor_write(world, c, block, info, &f, manifold->count, ahead);

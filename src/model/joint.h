@@ -95,7 +95,7 @@ typedef struct cni_lanes_kept {
 	int32_t blocks;
 	int32_t works;   /* capacity for joint constraints: another capacity means other memory */
 	int32_t filled;  /* filled in this step so far */
-	int32_t special; /* 1: some of these have bodies with a locked axis, or are new joints */
+	int32_t special; /* 1: some of these are new joints or taut ropes */
 	int32_t alone;   /* 1: with this budget, direct solving takes none of them */
 	int32_t budget;
 } cni_lanes_kept;

@@ -38,8 +38,8 @@ CNI_TUNING_FLOAT(CNI_BOX_FLIGHT_STEPS, 1.0f)
 /* Margin of a box, part of its larger side. Wider margins are left less often, but then small bodies in a heap have more neighbours
    that do not touch them than neighbours that do. */
 CNI_TUNING_FLOAT(CNI_BOX_MARGIN_PART, 0.1f)
-/* Part of the mobility without locked axes. Locked axes that leave less along a direction leave none: a body pushed nearly across its
-   free axis by an obstacle that does not yield would have to escape along it at a hundred times the speed. */
+/* Part of the mobility without locked axes. Locked axes that leave less along a direction, and to turns, leave none: a body pushed nearly
+   across its free axis by an obstacle that does not yield would have to escape along it at a hundred times the speed. */
 CNI_TUNING_FLOAT(CNI_MOBILITY_LEAST_PART, 1e-4f)
 /* Radians. CN_SOLVER_AUTO and _SOFT: the normal of a lane with two points lags until the true one has turned by more; see model/world.h, where the
    fallen stacks at 0, 0.01, 0.03, 0.1 and 0.2 are listed. */

@@ -24,7 +24,8 @@ enum {
 	MEDDLE_CARRY,    /* a fixed part is moved by setting its pose in each frame */
 	MEDDLE_PUT,      /* a part is put 0.1 to 3 m away */
 	MEDDLE_PULL,     /* a part is kinematic for a while, and goes on at its speed */
-	MEDDLE_KINDS = MEDDLE_PULL
+	MEDDLE_LOCK,     /* a part is kept from moving along x, y or both, or from turning, for a while */
+	MEDDLE_KINDS = MEDDLE_LOCK
 };
 
 void meddle_begin(scene *s, int32_t kind)
@@ -109,6 +110,8 @@ static cn_result act_begin(scene *s)
 		return cn_body_set_type(s->world, b->handle, CN_BODY_STATIC);
 	case MEDDLE_PULL:
 		return cn_body_set_type(s->world, b->handle, CN_BODY_KINEMATIC); /* goes on at its velocity */
+	case MEDDLE_LOCK:
+		return cn_body_set_flags(s->world, b->handle, (uint32_t)CN_BODY_ENABLED | (uint32_t)CN_BODY_SLEEP | (uint32_t)pick_int(s, 1, 7));
 	case MEDDLE_MASS:
 		return act_mass(s, b);
 	case MEDDLE_PUT:
@@ -127,6 +130,8 @@ static cn_result act_end(scene *s)
 		result = cn_world_set_gravity(s->world, 0.0f, (float)-GRAVITY);
 	if ((s->meddle == MEDDLE_HOLD || s->meddle == MEDDLE_PULL) && s->held != WORLD)
 		result = cn_body_set_type(s->world, s->bodies[s->held].handle, CN_BODY_DYNAMIC);
+	if (s->meddle == MEDDLE_LOCK && s->held != WORLD)
+		result = cn_body_set_flags(s->world, s->bodies[s->held].handle, (uint32_t)CN_BODY_ENABLED | (uint32_t)CN_BODY_SLEEP);
 	s->mouse = 0;
 	s->held = WORLD;
 	return result;

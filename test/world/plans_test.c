@@ -159,8 +159,7 @@ static void kept_plans_change_nothing(void)
 typedef struct net_life {
 	cn_world *world;
 	cn_body body[NET_SIDE][NET_SIDE];
-	cn_joint joint[2 * NET_SIDE * NET_SIDE];
-	int32_t joint_count;
+	cn_joint right[NET_SIDE][NET_SIDE], down[NET_SIDE][NET_SIDE]; /* from body[y][x] */
 	int32_t told; /* steps for which lanes told that there was nothing to plan */
 } net_life;
 
@@ -173,37 +172,41 @@ static void net_begin(net_life *n)
 		for (x = 0; x < NET_SIDE; ++x) {
 			n->body[y][x] = fixture_circle(n->world, y == 0 && (x == 0 || x == NET_SIDE - 1) ? CN_BODY_STATIC : CN_BODY_DYNAMIC, (float)x, -(float)y, 0.3f, 0.6f, 0.0f);
 			if (x > 0)
-				n->joint[n->joint_count++] = hinge(n->world, n->body[y][x - 1], at(0.5f, 0.0f), n->body[y][x], at(-0.5f, 0.0f));
+				n->right[y][x - 1] = hinge(n->world, n->body[y][x - 1], at(0.5f, 0.0f), n->body[y][x], at(-0.5f, 0.0f));
 			if (y > 0)
-				n->joint[n->joint_count++] = hinge(n->world, n->body[y - 1][x], at(0.0f, -0.5f), n->body[y][x], at(0.0f, 0.5f));
+				n->down[y - 1][x] = hinge(n->world, n->body[y - 1][x], at(0.0f, -0.5f), n->body[y][x], at(0.0f, 0.5f));
 		}
 }
 
-/* Rows whose bit is not set cannot move along x. */
-static void rows_lock(const net_life *n, uint32_t free_rows)
+/* Cuts a row's joints to the rows above and below, so that it is a chain, and so a tree; or makes them again. */
+static void row_cut(net_life *n, int32_t y, int32_t cut)
 {
-	int32_t x, y;
-	for (y = 1; y < NET_SIDE; ++y)
-		for (x = 0; x < NET_SIDE; ++x)
-			must(cn_body_set_flags(n->world, n->body[y][x], CN_BODY_ENABLED | CN_BODY_AWAKE | (free_rows >> y & 1u ? 0u : (uint32_t)CN_BODY_LOCK_X)), n->world, "cn_body_set_flags");
+	int32_t x, side;
+	for (x = 0; x < NET_SIDE; ++x)
+		for (side = 0; side < 2; ++side) {
+			cn_joint *joint = &n->down[y - 1 + side][x];
+			if (cut)
+				must(cn_joint_destroy(n->world, *joint), n->world, "cn_joint_destroy");
+			else
+				*joint = hinge(n->world, n->body[y - 1 + side][x], at(0.0f, -0.5f), n->body[y + side][x], at(0.0f, 0.5f));
+		}
 }
 
-/* Each changes what may be planned, and most leave the joints in their lanes. */
+/* Each changes what may be planned, and some leave the joints in their lanes. */
 static void net_live(net_life *n, int32_t step)
 {
 	switch (step) {
-	case 20: rows_lock(n, 1u << 3); break;         /* a row is a chain, and so a tree */
-	case 30: rows_lock(n, ~0u); break;
-	case 50: rows_lock(n, 0); break;
-	case 60: must(cn_joint_destroy(n->world, n->joint[100]), n->world, "cn_joint_destroy"); break;
-	case 61: rows_lock(n, 1u << 7); break;         /* in the step after lanes were taken anew */
-	case 70: rows_lock(n, ~0u); break;
+	case 20: row_cut(n, 3, 1); break;
+	case 30: row_cut(n, 3, 0); break;
+	case 60: must(cn_joint_destroy(n->world, n->right[6][7]), n->world, "cn_joint_destroy"); break;
+	case 61: row_cut(n, 7, 1); break;              /* in the step after lanes were taken anew */
+	case 70: row_cut(n, 7, 0); break;
 	case 90: must(cn_world_set_accuracy(n->world, CN_DEFAULT, 100), n->world, "cn_world_set_accuracy"); break;
 	case 95: must(cn_world_set_accuracy(n->world, CN_DEFAULT, CN_DEFAULT), n->world, "cn_world_set_accuracy"); break;
 	case 105: must(cn_body_set_type(n->world, n->body[5][5], CN_BODY_STATIC), n->world, "cn_body_set_type"); break;
 	case 110: must(cn_body_set_type(n->world, n->body[5][5], CN_BODY_DYNAMIC), n->world, "cn_body_set_type"); break;
-	case 120: must(cn_joint_set_solver(n->world, n->joint[7], CN_SOLVER_DIRECT), n->world, "cn_joint_set_solver"); break;
-	case 130: must(cn_joint_set_solver(n->world, n->joint[7], CN_SOLVER_AUTO), n->world, "cn_joint_set_solver"); break;
+	case 120: must(cn_joint_set_solver(n->world, n->right[0][7], CN_SOLVER_DIRECT), n->world, "cn_joint_set_solver"); break;
+	case 130: must(cn_joint_set_solver(n->world, n->right[0][7], CN_SOLVER_AUTO), n->world, "cn_joint_set_solver"); break;
 	default: break;
 	}
 }
