@@ -88,54 +88,52 @@ static void lane_write_locks(const cn_world *world, const cni_contact *c, const 
 	extra->lock_by[lane] = lock(f->b, CN_BODY_LOCK_Y);
 }
 
-/* Inverse masses for the lane's impulses. */
-typedef struct lane_mass {
-	float ma, mb;
-	float ia, ib;
-	int32_t locked; /* 1: some axis is locked, and there are extra rows for it */
-} lane_mass;
-
-/* Without memory for the extra rows that a locked axis needs, the kernel takes the body as free along it: a reduced mass would push it too
-   hard, and more in each pass. The solver then only clears the locked velocity afterwards. */
-static lane_mass lane_mass_of(cn_world *world, const lane_frame *f)
-{
-	const cni_motion *ma = cni_motions(world) + f->a->awake, *mb = cni_motions(world) + f->b->awake;
-	lane_mass m = { ma->inv_mass, mb->inv_mass, ma->inv_inertia, mb->inv_inertia, f->locks && cni_lane_reserve_extra(world) };
-	if (f->locks && !m.locked)
-		world->warnings |= CN_WARNING_FRAME_MEMORY;
-	return m;
-}
-
 /* Inverse mass along a direction, reduced by locked axes, and of the turn about an arm. */
-static float mobility_of(const cni_body *b, float inv_mass, float inv_inertia, cni_vec2 n, float arm)
+static float mobility_of(const cni_body *b, const cni_motion *m, cni_vec2 n, float arm)
 {
 	uint32_t flags = cni_body_flags(b);
 	float x = flags & CN_BODY_LOCK_X ? 0.0f : n.x, y = flags & CN_BODY_LOCK_Y ? 0.0f : n.y;
-	return inv_mass * (x * x + y * y) + inv_inertia * arm * arm;
+	return m->inv_mass * (x * x + y * y) + m->inv_inertia * arm * arm;
 }
 
-/* Does an impulse move the body at least by CNI_MOBILITY_LEAST_PART of what it would without locked axes? */
-static int32_t is_mobile(const cni_body *b, float mobility)
+/* Effective mass of a row along n at the arms of both bodies; 0 if an impulse moves neither by CNI_MOBILITY_LEAST_PART of what it would without
+   locked axes. */
+static float locked_row_mass(const cn_world *world, const lane_frame *f, cni_vec2 n, float arm_a, float arm_b)
 {
-	return b->type == CN_BODY_DYNAMIC && mobility * b->mass >= CNI_MOBILITY_LEAST_PART;
+	const cni_motion *ma = cni_motions(world) + f->a->awake, *mb = cni_motions(world) + f->b->awake;
+	float a = mobility_of(f->a, ma, n, arm_a), b = mobility_of(f->b, mb, n, arm_b);
+	int32_t moves_a = ma->inv_mass > 0.0f && a >= CNI_MOBILITY_LEAST_PART * ma->inv_mass;
+	int32_t moves_b = mb->inv_mass > 0.0f && b >= CNI_MOBILITY_LEAST_PART * mb->inv_mass;
+	return moves_a || moves_b ? 1.0f / (a + b) : 0.0f;
 }
 
-/* Effective mass of a row along n at the arms of both bodies, 0 if it moves neither. */
-CNI_INLINE float row_mass(const lane_frame *f, const lane_mass *m, cni_vec2 n, float arm_a, float arm_b)
+/* The rows of a lane that was written as if no axis were locked. */
+static void lane_lock_rows(const cn_world *world, const cni_contact *c, const lane_frame *f)
 {
-	if (!m->locked)
-		return cni_inverse_or_zero(m->ma + m->mb + m->ia * arm_a * arm_a + m->ib * arm_b * arm_b);
-	float a = mobility_of(f->a, m->ma, m->ia, n, arm_a), b = mobility_of(f->b, m->mb, m->ib, n, arm_b);
-	return is_mobile(f->a, a) || is_mobile(f->b, b) ? 1.0f / (a + b) : 0.0f;
+	int32_t l = c->slot % CNI_LANES;
+	cni_contact_block *block = cni_block_at(world, c->slot / CNI_LANES);
+	for (int32_t k = 0; k < 2 && block->p[k].nm[l] > 0.0f; ++k) {
+		cni_contact_row *p = &block->p[k];
+		p->nm[l] = locked_row_mass(world, f, f->n, p->at[l], p->at[l] - block->dt[l]);
+		if (p->nm[l] == 0.0f)
+			p->jn[l] = p->load[l] = 0.0f;
+	}
+	block->tm[l] = locked_row_mass(world, f, f->t, block->fa[l], block->fb[l]);
 }
 
-/* Rare data of a lane: locked axes, a changed material, rolling resistance. */
-static void lane_write_rare(cn_world *world, cni_contact *c, const lane_frame *f, const lane_mass *m)
+/* Rare data of a lane: locked axes, a changed material, rolling resistance. Without memory for the extra rows that a locked axis needs, the
+   kernel takes the body as free along it: a reduced mass would push it too hard, and more in each pass. The solver then only clears the locked
+   velocity afterwards. */
+static void lane_write_rare(cn_world *world, cni_contact *c, const lane_frame *f)
 {
 	int32_t block = c->slot / CNI_LANES;
 	cni_block_info *info = cni_block_info_at(world, block);
-	if (m->locked)
+	if (f->locks && cni_lane_reserve_extra(world)) {
 		info->flags |= CNI_BLOCK_EXTRA;
+		lane_lock_rows(world, c, f);
+	} else if (f->locks) {
+		world->warnings |= CN_WARNING_FRAME_MEMORY;
+	}
 	if (info->flags & CNI_BLOCK_EXTRA)
 		lane_write_locks(world, c, f);
 	if (c->flags & CNI_CONTACT_REFRESH) {
@@ -143,7 +141,8 @@ static void lane_write_rare(cn_world *world, cni_contact *c, const lane_frame *f
 		c->flags &= ~(uint32_t)CNI_CONTACT_REFRESH;
 	}
 	if (info->flags & CNI_BLOCK_EXTRA)
-		cni_block_extra_at(world, block)->rolling_mass[c->slot % CNI_LANES] = cni_inverse_or_zero(m->ia + m->ib);
+		cni_block_extra_at(world, block)->rolling_mass[c->slot % CNI_LANES] =
+			cni_inverse_or_zero(cni_motions(world)[f->a->awake].inv_inertia + cni_motions(world)[f->b->awake].inv_inertia);
 }
 
 /* Manifold reuse excludes contacts that the narrowphase must visit in each step, and lanes with rare rows that depend on more than
@@ -249,7 +248,8 @@ void cni_contact_write(cn_world *world, cni_contact *c, const cni_body *a, const
 	int32_t flipped = (c->flags & CNI_CONTACT_FLIPPED) != 0, kept = 0;
 	cni_vec2 normal = cni_rotate(a->q, manifold->normal), gap = cni_rotate(a->q, touch->gap);
 	lane_frame f = frame_make(a, b, flipped, normal);
-	lane_mass m = lane_mass_of(world, &f);
+	const cni_motion *ma = cni_motions(world) + a->awake, *mb = cni_motions(world) + b->awake;
+	float inv_mass = ma->inv_mass + mb->inv_mass, ia = (flipped ? mb : ma)->inv_inertia, ib = (flipped ? ma : mb)->inv_inertia;
 	float radius_a = touch->radius[flipped], fa = 0.0f, fb, ahead, dn, dt;
 	const old_point first = old_point_take(c, block, 0, lane), second = old_point_take(c, block, 1, lane), none = { 0, 0.0f, 0.0f };
 	ahead = cni_dot(gap, normal);
@@ -275,7 +275,7 @@ void cni_contact_write(cn_world *world, cni_contact *c, const cni_body *a, const
 		p->at[lane] = at;
 		p->an[lane] = an;
 		p->s0[lane] = point->separation;
-		p->nm[lane] = row_mass(&f, &m, f.n, at, bt);
+		p->nm[lane] = cni_inverse_or_zero(inv_mass + ia * at * at + ib * bt * bt);
 		p->jn[lane] = p->nm[lane] > 0.0f ? was.jn : 0.0f; /* if nothing can move, the kernels see a zero row */
 		p->load[lane] = p->nm[lane] > 0.0f ? was.load : 0.0f;
 		kept |= was.id != 0;
@@ -292,9 +292,9 @@ void cni_contact_write(cn_world *world, cni_contact *c, const cni_body *a, const
 	fb = fa - dn;
 	block->fa[lane] = fa;
 	block->fb[lane] = fb;
-	block->tm[lane] = row_mass(&f, &m, f.t, fa, fb);
+	block->tm[lane] = cni_inverse_or_zero(inv_mass + ia * fa * fa + ib * fb * fb);
 	if ((c->flags & CNI_CONTACT_REFRESH) || f.locks || (info->flags & CNI_BLOCK_EXTRA))
-		lane_write_rare(world, c, &f, &m);
+		lane_write_rare(world, c, &f);
 	anchor_write(world, c, block, info, &f, manifold->count, ahead);
 }
 

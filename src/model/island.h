@@ -69,8 +69,6 @@ void cni_body_wake_neighbours(cn_world *world, int32_t body);
 void cni_island_limit_impulses(cn_world *world, cni_island *island);
 /* Before a body is destroyed, disabled or changes its type: wakes its neighbours and limits the contact impulses of their islands. */
 void cni_body_let_go(cn_world *world, int32_t body);
-/* Contacts and joints of an awake body begin without impulses. */
-void cni_body_forget_impulses(cn_world *world, int32_t body);
 /* Wakes the body, or for a static one the bodies that overlap its boxes: at a new pose it may touch sleeping bodies. O(shapes). */
 void cni_body_wake_met(cn_world *world, int32_t body);
 /* Wakes the dynamic bodies that overlap a shape's boxes. */

@@ -11,8 +11,6 @@
  */
 #include "model/world.h"
 
-#include <string.h>
-
 /* Speed that the impulses of a lane give the lighter body. */
 static float lane_speed(const cn_world *world, int32_t slot)
 {
@@ -75,15 +73,4 @@ void cni_body_let_go(cn_world *world, int32_t body)
 		if (joint_speed(world, j) > speed_most)
 			neighbour_limit(world, j->body[1 - (key & 1)]);
 	}
-}
-
-void cni_body_forget_impulses(cn_world *world, int32_t body)
-{
-	for (int32_t key = cni_body_at(world, body)->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
-		const cni_contact *c = cni_contact_of_key(world, key);
-		if (cni_contact_has_lane(c))
-			lane_limit(world, c->slot, cni_soft_speed_most(world));
-	}
-	for (int32_t key = cni_body_at(world, body)->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1])
-		memset(cni_joint_at(world, key >> 1)->impulse, 0, sizeof cni_joint_at(world, key >> 1)->impulse);
 }

@@ -169,8 +169,6 @@ cn_result cn_body_set_flags(cn_world *world, cn_body body, uint32_t flags)
 	if (changed & FLAGS_LOCKS) {
 		cni_body_let_go(world, cni_body_index(world, body));
 		cni_body_wake(world, cni_body_index(world, body));
-		if (changed & ~flags & FLAGS_LOCKS)
-			cni_body_forget_impulses(world, cni_body_index(world, body)); /* a locked axis bears what would throw the body */
 		cni_body_store_velocity(world, b, cni_body_velocity(world, b));
 		cni_body_refresh_motion(world, b);
 	}

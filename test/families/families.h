@@ -83,7 +83,7 @@ typedef struct scene {
 	int32_t meddle;      /* 0: nothing; else a kind */
 	int32_t held;        /* a body, or WORLD */
 	double next_act_s, act_end_s, held_angle;
-	cn_joint mouse;
+	cn_joint mouse, driven; /* the mouse's or the rod; the joint with a motor */
 	char refusal[160];
 } scene;
 

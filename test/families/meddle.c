@@ -25,7 +25,12 @@ enum {
 	MEDDLE_PUT,      /* a part is put 0.1 to 3 m away */
 	MEDDLE_PULL,     /* a part is kinematic for a while, and goes on at its speed */
 	MEDDLE_LOCK,     /* a part is kept from moving along x, y or both, or from turning, for a while */
-	MEDDLE_KINDS = MEDDLE_LOCK
+	MEDDLE_LIMIT,    /* a joint gets limits about where it is or up to half a radian or metre away */
+	MEDDLE_MOTOR,    /* a joint gets a motor for a while */
+	MEDDLE_VANISH,   /* a part is disabled for a while */
+	MEDDLE_TIE,      /* a rod joins a part to another for a while */
+	MEDDLE_GROW,     /* a part changes its size by 0.7 to 1.4 */
+	MEDDLE_KINDS = MEDDLE_GROW
 };
 
 void meddle_begin(scene *s, int32_t kind)
@@ -85,6 +90,124 @@ static cn_result act_mass(scene *s, const scene_body *b)
 	return cn_body_set_mass_data(s->world, b->handle, &mass);
 }
 
+static scene_joint *pick_joint(scene *s)
+{
+	scene_joint *j = s->joint_count > 0 ? &s->joints[pick_int(s, 0, s->joint_count - 1)] : NULL;
+	return j != NULL && j->handle != 0 && (j->type == CN_JOINT_REVOLUTE || j->type == CN_JOINT_PRISMATIC || j->type == CN_JOINT_DISTANCE) ? j : NULL;
+}
+
+static cn_result joint_flag(scene *s, cn_joint joint, uint32_t flag, int32_t set)
+{
+	uint32_t flags;
+	cn_result result = cn_joint_get_flags(s->world, joint, &flags);
+	return result == CN_OK ? cn_joint_set_flags(s->world, joint, set ? flags | flag : flags & ~flag) : result;
+}
+
+static cn_result act_limit(scene *s)
+{
+	scene_joint *j = pick_joint(s);
+	double away = pick(s, -0.5, 0.5), room = pick(s, 0.0, 0.5);
+	float now, lower, upper;
+	cn_result result;
+	if (j == NULL)
+		return CN_OK;
+	result = cn_joint_get_position(s->world, j->handle, &now);
+	if (chance(s, 0.5))
+		away = 0.0;
+	lower = now + (float)(away - room);
+	upper = now + (float)(away + room);
+	if (j->type == CN_JOINT_DISTANCE && lower < 0.0f)
+		lower = 0.0f;
+	if (result != CN_OK || upper < lower || (j->type == CN_JOINT_REVOLUTE && (lower < -3.0f || upper > 3.0f)))
+		return result;
+	j->lower = (double)lower;
+	j->upper = (double)upper;
+	result = cn_joint_set_limits(s->world, j->handle, lower, upper);
+	return result == CN_OK ? joint_flag(s, j->handle, CN_JOINT_LIMIT, 1) : result;
+}
+
+static cn_result act_motor(scene *s)
+{
+	scene_joint *j = pick_joint(s);
+	double speed = pick(s, -10.0, 10.0), weights = pick_log(s, 1.0, 1000.0);
+	cn_result result;
+	if (j == NULL || j->type == CN_JOINT_DISTANCE)
+		return CN_OK;
+	s->driven = j->handle;
+	result = cn_joint_set_motor(s->world, j->handle, (float)speed, (float)(weights * GRAVITY * s->bodies[j->b].mass));
+	return result == CN_OK ? joint_flag(s, j->handle, CN_JOINT_MOTOR, 1) : result;
+}
+
+static cn_result act_tie(scene *s, const scene_body *b)
+{
+	int32_t other = pick_body(s, 1);
+	cn_distance_def def;
+	if (other == WORLD || s->bodies[other].handle == b->handle)
+		return CN_OK;
+	cn_distance_def_init(&def);
+	def.base.body_a = s->bodies[other].handle;
+	def.base.body_b = b->handle;
+	def.base.flags |= CN_JOINT_COLLIDE;
+	def.length_m = (float)hypot(b->px - s->bodies[other].px, b->py - s->bodies[other].py);
+	return cn_joint_create_distance(s->world, &def, &s->mouse);
+}
+
+static void polygon_grow(cn_polygon *hull, float by)
+{
+	int32_t k;
+	for (k = 0; k < hull->count; ++k) {
+		hull->points_m[k].x *= by;
+		hull->points_m[k].y *= by;
+	}
+	hull->radius_m *= by;
+}
+
+/* About the body's origin. */
+static cn_result shape_grow(cn_world *world, cn_shape shape, scene_shape *measured, double by)
+{
+	cn_circle circle;
+	cn_capsule capsule;
+	cn_polygon hull;
+	int32_t k;
+	float f = (float)by;
+	for (k = 0; k < measured->count; ++k) {
+		measured->points[k][0] *= by;
+		measured->points[k][1] *= by;
+	}
+	measured->radius *= by;
+	if (cn_shape_get_circle(world, shape, &circle) == CN_OK) {
+		circle.center_m.x *= f;
+		circle.center_m.y *= f;
+		circle.radius_m *= f;
+		return cn_shape_set_circle(world, shape, &circle);
+	}
+	if (cn_shape_get_capsule(world, shape, &capsule) == CN_OK) {
+		capsule.a_m.x *= f;
+		capsule.a_m.y *= f;
+		capsule.b_m.x *= f;
+		capsule.b_m.y *= f;
+		capsule.radius_m *= f;
+		return cn_shape_set_capsule(world, shape, &capsule);
+	}
+	if (cn_shape_get_polygon(world, shape, &hull) != CN_OK)
+		return CN_OK;
+	polygon_grow(&hull, f);
+	return cn_shape_set_polygon(world, shape, &hull);
+}
+
+static cn_result act_grow(scene *s, int32_t body)
+{
+	double by = pick_log(s, 0.7, 1.4);
+	cn_shape shapes[16];
+	int32_t count = 0, k, of = 0;
+	cn_result result = cn_body_get_shapes(s->world, s->bodies[body].handle, shapes, 16, &count);
+	for (k = 0; k < s->shape_count && of < count && of < 16 && result == CN_OK; ++k)
+		if (s->shapes[k].body == body)
+			result = shape_grow(s->world, shapes[of++], &s->shapes[k], by);
+	s->bodies[body].reach *= by;
+	return result;
+}
+
 /* The act of a kind with a body. What lasts is undone by act_end. */
 static cn_result act_begin(scene *s)
 {
@@ -95,6 +218,10 @@ static cn_result act_begin(scene *s)
 	s->held_angle = angle;
 	if (s->meddle == MEDDLE_CUT)
 		return act_cut(s);
+	if (s->meddle == MEDDLE_LIMIT)
+		return act_limit(s);
+	if (s->meddle == MEDDLE_MOTOR)
+		return act_motor(s);
 	if (s->meddle == MEDDLE_GRAVITY)
 		return cn_world_set_gravity(s->world, (float)(GRAVITY * sin(angle)), (float)(-GRAVITY * cos(angle)));
 	if (b == NULL)
@@ -112,6 +239,12 @@ static cn_result act_begin(scene *s)
 		return cn_body_set_type(s->world, b->handle, CN_BODY_KINEMATIC); /* goes on at its velocity */
 	case MEDDLE_LOCK:
 		return cn_body_set_flags(s->world, b->handle, (uint32_t)CN_BODY_ENABLED | (uint32_t)CN_BODY_SLEEP | (uint32_t)pick_int(s, 1, 7));
+	case MEDDLE_VANISH:
+		return cn_body_set_flags(s->world, b->handle, CN_BODY_SLEEP);
+	case MEDDLE_TIE:
+		return act_tie(s, b);
+	case MEDDLE_GROW:
+		return act_grow(s, body);
 	case MEDDLE_MASS:
 		return act_mass(s, b);
 	case MEDDLE_PUT:
@@ -124,13 +257,16 @@ static cn_result act_begin(scene *s)
 static cn_result act_end(scene *s)
 {
 	cn_result result = CN_OK;
-	if (s->meddle == MEDDLE_DRAG && s->mouse != 0)
+	if (s->mouse != 0)
 		result = cn_joint_destroy(s->world, s->mouse);
 	if (s->meddle == MEDDLE_GRAVITY)
 		result = cn_world_set_gravity(s->world, 0.0f, (float)-GRAVITY);
 	if ((s->meddle == MEDDLE_HOLD || s->meddle == MEDDLE_PULL) && s->held != WORLD)
 		result = cn_body_set_type(s->world, s->bodies[s->held].handle, CN_BODY_DYNAMIC);
-	if (s->meddle == MEDDLE_LOCK && s->held != WORLD)
+	if (s->driven != 0)
+		result = joint_flag(s, s->driven, CN_JOINT_MOTOR, 0);
+	s->driven = 0;
+	if ((s->meddle == MEDDLE_LOCK || s->meddle == MEDDLE_VANISH) && s->held != WORLD)
 		result = cn_body_set_flags(s->world, s->bodies[s->held].handle, (uint32_t)CN_BODY_ENABLED | (uint32_t)CN_BODY_SLEEP);
 	s->mouse = 0;
 	s->held = WORLD;
