@@ -296,7 +296,8 @@ typedef struct cn_world_def {
 	                                     islands, and with CN_SOLVER_AUTO 512 contacts of a world */
 	float restitution_threshold_mps;  /* slower impacts do not bounce, >= 0; CN_DEFAULT (default): 1 x length unit */
 	float push_speed_max_mps;         /* greatest speed at which the overlap of two shapes is pushed apart, and a gap of a directly solved
-	                                     joint closes (of its angles: rad/s, for each length unit), > 0; in a crowd the
+	                                     joint closes (of its angles: rad/s, for each length unit; of other joints some five times
+	                                     as fast), > 0; in a crowd the
 	                                     speeds of neighbours add up: n bodies made in one spot leave it at some sqrt(n) / 2
 	                                     times as much, on the ground, which pushes them upwards, at some sqrt(n) times;
 	                                     CN_DEFAULT (default): 3 x length unit */

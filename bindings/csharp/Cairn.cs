@@ -237,9 +237,10 @@ namespace Cairn
 		/// <summary>slower impacts do not bounce, &gt;= 0; CN_DEFAULT (default): 1 x length unit</summary>
 		public float restitution_threshold_mps;
 		/// <summary>greatest speed at which the overlap of two shapes is pushed apart, and a gap of a directly solved joint
-		/// closes (of its angles: rad/s, for each length unit), &gt; 0; in a crowd the speeds of neighbours add up:
-		/// n bodies made in one spot leave it at some sqrt(n) / 2 times as much, on the ground, which pushes them
-		/// upwards, at some sqrt(n) times; CN_DEFAULT (default): 3 x length unit</summary>
+		/// closes (of its angles: rad/s, for each length unit; of other joints some five times as fast), &gt; 0; in
+		/// a crowd the speeds of neighbours add up: n bodies made in one spot leave it at some sqrt(n) / 2 times as
+		/// much, on the ground, which pushes them upwards, at some sqrt(n) times; CN_DEFAULT (default): 3 x length
+		/// unit</summary>
 		public float push_speed_max_mps;
 		/// <summary>faster bodies are slowed to it, &gt; 0; CN_DEFAULT (default): 400 x length unit</summary>
 		public float linear_speed_max_mps;

@@ -295,9 +295,10 @@ type WorldDef struct {
 	// slower impacts do not bounce, >= 0; CN_DEFAULT (default): 1 x length unit
 	RestitutionThresholdMps float32
 	// greatest speed at which the overlap of two shapes is pushed apart, and a gap of a directly solved joint
-	// closes (of its angles: rad/s, for each length unit), > 0; in a crowd the speeds of neighbours add up: n
-	// bodies made in one spot leave it at some sqrt(n) / 2 times as much, on the ground, which pushes them
-	// upwards, at some sqrt(n) times; CN_DEFAULT (default): 3 x length unit
+	// closes (of its angles: rad/s, for each length unit; of other joints some five times as fast), > 0; in a
+	// crowd the speeds of neighbours add up: n bodies made in one spot leave it at some sqrt(n) / 2 times as
+	// much, on the ground, which pushes them upwards, at some sqrt(n) times; CN_DEFAULT (default): 3 x length
+	// unit
 	PushSpeedMaxMps float32
 	// faster bodies are slowed to it, > 0; CN_DEFAULT (default): 400 x length unit
 	LinearSpeedMaxMps float32

@@ -387,7 +387,7 @@ typedef struct cn_world_def {
 	float accuracy_m; // CN_SOLVER_AUTO aims at errors below this, >= 0; CN_DEFAULT (default): 0.005 x length unit
 	int32_t work_budget; // limit of direct solving in a step, in factored blocks (joints, contacts and their fill), substeps included, about 10 ns each; 1 to 1e9; CN_DEFAULT (default): the limits of single islands, and with CN_SOLVER_AUTO 512 contacts of a world
 	float restitution_threshold_mps; // slower impacts do not bounce, >= 0; CN_DEFAULT (default): 1 x length unit
-	float push_speed_max_mps; // greatest speed at which the overlap of two shapes is pushed apart, and a gap of a directly solved joint closes (of its angles: rad/s, for each length unit), > 0; in a crowd the speeds of neighbours add up: n bodies made in one spot leave it at some sqrt(n) / 2 times as much, on the ground, which pushes them upwards, at some sqrt(n) times; CN_DEFAULT (default): 3 x length unit
+	float push_speed_max_mps; // greatest speed at which the overlap of two shapes is pushed apart, and a gap of a directly solved joint closes (of its angles: rad/s, for each length unit; of other joints some five times as fast), > 0; in a crowd the speeds of neighbours add up: n bodies made in one spot leave it at some sqrt(n) / 2 times as much, on the ground, which pushes them upwards, at some sqrt(n) times; CN_DEFAULT (default): 3 x length unit
 	float linear_speed_max_mps; // faster bodies are slowed to it, > 0; CN_DEFAULT (default): 400 x length unit
 	float angular_speed_max_radps; // faster bodies are slowed to it, > 0; default 400
 	float sleep_speed_mps; // bodies slower than this may sleep, >= 0; CN_DEFAULT (default): 0.05 x length unit

@@ -144,9 +144,26 @@ static void rows_lock(cni_row *rows, int32_t count, uint32_t flags)
 	}
 }
 
+/* Gap of a row in metres: the error of a rigid one, what a limit is beyond. */
+static float row_gap(const cni_row *r)
+{
+	if (r->angular || (r->kind != CNI_ROW_RIGID && r->kind != CNI_ROW_LIMIT))
+		return 0.0f;
+	return r->kind == CNI_ROW_LIMIT ? cni_min(r->error, 0.0f) : r->error;
+}
+
+static void rows_bound_gaps(cni_row *rows, int32_t count, float most)
+{
+	for (int32_t k = 0; k < count; ++k)
+		if (cni_abs(row_gap(&rows[k])) > most)
+			rows[k].error = rows[k].error > 0.0f ? most : -most;
+}
+
 static int32_t rows_make(const cni_joint_constraint *w, const cni_joint_frame *f, cni_row *rows)
 {
 	int32_t count = w->make_rows(w->record, f, rows);
+	if (w->flags & CNI_CONSTRAINT_APART)
+		rows_bound_gaps(rows, count, w->numbers->gap_most);
 	if (w->flags & CNI_CONSTRAINT_LOCKS)
 		rows_lock(rows, count, w->flags);
 	return count;
@@ -250,6 +267,23 @@ static void constraint_soften(cni_joint_constraint *w, const cni_joint *j, const
 	}
 }
 
+/* A soft joint closes a gap of metres within a step, at hundreds of metres a second, and throws what hangs on it. Motion opens joints too far as
+   well, but then their rows must not get weaker: strong motors and nets would part them. */
+static void apart_begin(cn_world *world, cni_joint_constraint *w)
+{
+	cni_row rows[CNI_JOINT_ROWS];
+	float most = CNI_JOINT_GAP_MOST * world->settings.length_unit, gap = 0.0f;
+	int32_t count = w->make_rows(w->record, &w->start, rows);
+	for (int32_t k = 0; k < count; ++k)
+		gap = cni_max(gap, cni_abs(row_gap(&rows[k])));
+	if (gap > most && !(w->flags & CNI_CONSTRAINT_SPRINGY)) {
+		w->flags |= CNI_CONSTRAINT_APART;
+		w->numbers->gap_most = most;
+	} else {
+		cni_joint_at(world, w->joint)->apart = 0;
+	}
+}
+
 void cni_joint_constraint_begin(cn_world *world, int32_t k, const cni_joint *j)
 {
 	cni_joint_constraint *w = cni_joint_constraints(world) + k;
@@ -265,6 +299,8 @@ void cni_joint_constraint_begin(cn_world *world, int32_t k, const cni_joint *j)
 	w->ib = j->body[1] == CNI_NONE ? 0 : cni_body_at(world, j->body[1])->awake;
 	w->flags = constraint_flags(world, j);
 	w->start = cni_joint_frame_place(world, j);
+	if (j->apart)
+		apart_begin(world, w);
 }
 
 /* Does M K M differ from K^-1: is the trace of K M K M not the number of rows? */

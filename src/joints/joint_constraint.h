@@ -20,6 +20,7 @@ enum {
 	CNI_CONSTRAINT_LOCK_A = 1u << 8,    /* body a has this locked axis: its CN_BODY_LOCK_X and _Y flags from here on */
 	CNI_CONSTRAINT_LOCK_B = 1u << 10,
 	CNI_CONSTRAINT_LOCKS = 15u << 8,
+	CNI_CONSTRAINT_APART = 1u << 13,    /* it was made or put where its gap is beyond CNI_JOINT_GAP_MOST, to which its rows bound it */
 	CNI_CONSTRAINT_STUCK = 1u << 12     /* locked axes leave the first rows, or a direction of a point, next to no mobility */
 };
 
@@ -36,6 +37,7 @@ typedef struct cni_joint_numbers {
 	cni_soft soft;             /* springy: softness of the first rows and of limits */
 	cni_soft spring;           /* of the spring or soft row, if there is one */
 	float force_max, torque_max;       /* bounded: the bounds, FLT_MAX without one */
+	float gap_most;                    /* apart: CNI_JOINT_GAP_MOST, m */
 	float force_stress, torque_stress; /* breakable: largest reaction of the step so far */
 } cni_joint_numbers;
 

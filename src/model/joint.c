@@ -105,6 +105,7 @@ void cni_joint_link(cn_world *world, int32_t joint)
 	cni_joint *j = cni_joint_at(world, joint);
 	int32_t enabled = cni_joint_is_enabled(world, j);
 	j->awake = CNI_NONE;
+	j->apart = 1;
 	list_link(world, joint, 0);
 	list_link(world, joint, 1);
 	cni_joint_wake_bodies(world, j);

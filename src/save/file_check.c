@@ -82,7 +82,7 @@ static int32_t shape_numbers_hold(const cni_shape *s)
 
 static int32_t joint_numbers_hold(const cni_joint *j)
 {
-	return j->type < CNI_JOINT_TYPES && j->solver <= CN_SOLVER_DIRECT && j->trust.soft <= 1 && j->trust.direct <= 1 && (j->awake == CNI_NONE || j->awake >= 0);
+	return j->type < CNI_JOINT_TYPES && j->solver <= CN_SOLVER_DIRECT && j->linked <= 1 && j->apart <= 1 && j->trust.soft <= 1 && j->trust.direct <= 1 && (j->awake == CNI_NONE || j->awake >= 0);
 }
 
 static int32_t records_hold(const cn_world *world)
@@ -214,11 +214,15 @@ static int32_t lane_holds(const cn_world *world, int32_t block, int32_t lane)
 	return rows->ib[lane] != 0 || !(info->anchored >> lane & 1u) || cni_block_anchor_at(world, block)->x.body[lane] == c->body[1 - flipped];
 }
 
+/* All its rows are zero: passes over blocks compute it, too, and look for no contact of it. */
 static int32_t lane_is_empty(const cn_world *world, int32_t block, int32_t lane)
 {
 	const cni_block_info *info = cni_block_info_at(world, block);
-	const cni_contact_block *rows = cni_block_at(world, block);
-	return info->contact[lane] == CNI_NONE && rows->ia[lane] == 0 && rows->ib[lane] == 0 && !(info->anchored >> lane & 1u);
+	const float *rows = (const float *)(const void *)cni_block_at(world, block);
+	for (int32_t row = 0; row < (int32_t)(sizeof(cni_contact_block) / (CNI_LANES * sizeof(float))); ++row)
+		if (!(rows[row * CNI_LANES + lane] == 0.0f))
+			return 0;
+	return info->contact[lane] == CNI_NONE && !(info->anchored >> lane & 1u);
 }
 
 /* Blocks of a colour; CNI_NONE: they are not as its lanes want. */

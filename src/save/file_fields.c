@@ -127,7 +127,7 @@ static const cni_field color_fields[] = { Q(first, BLOCK), Q(last, BLOCK), Q(lan
 
 #define J(member, kind) FIELD(cni_joint, member, kind)
 static const cni_field joint_fields[] = {
-	J(type, COUNT), J(flags, WORD), J(body, BODY), J(next, JOINT_KEY), J(prev, JOINT_KEY), J(awake, WORD), J(linked, BIT), J(solver, COUNT),
+	J(type, COUNT), J(flags, WORD), J(body, BODY), J(next, JOINT_KEY), J(prev, JOINT_KEY), J(awake, WORD), J(linked, HALF), J(apart, HALF), J(solver, COUNT),
 	J(anchor, FLOAT), J(impulse, WORD), J(inv_h, WORD), J(stiffness_hertz, FLOAT), J(stiffness_damping, FLOAT), J(force_max, FLOAT),
 	J(torque_max, FLOAT), J(break_force, FLOAT), J(break_torque, FLOAT), J(p, FLOAT), J(trust.surplus, WORD), J(trust.until, WORD),
 	J(trust.span, HALF), J(trust.soft, BYTE), J(trust.direct, BYTE), J(user_data, LONG)

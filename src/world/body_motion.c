@@ -46,6 +46,8 @@ cn_result cn_body_set_pose(cn_world *world, cn_body body, float position_x_m, fl
 	cni_body_wake_neighbours(world, index);
 	cni_body_wake(world, index);
 	cni_body_set_transform(world, index, position_m, cni_sincos(angle_rad));
+	for (int32_t key = cni_body_at(world, index)->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1])
+		cni_joint_at(world, key >> 1)->apart = 1;
 	end_contacts_apart(world, index);
 	cni_body_wake_met(world, index);
 	cni_body_at(world, index)->flags |= CNI_BODY_AGAIN;

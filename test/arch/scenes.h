@@ -25,7 +25,7 @@ static const arch_scene arch_scenes[ARCH_SCENES] = {
 	{ "sequential", scene_sequential, 0x6bc77927e99d3264 },
 	{ "queries", scene_queries, 0xb79cb4644a093b1c },
 	{ "events", scene_events, 0x7ca261c9e70e84b8 },
-	{ "file", scene_file, 0x3b3723ed80038d08 },
+	{ "file", scene_file, 0x30386f6dc4871157 },
 };
 
 /* The number of a scene; 0 if a call failed: arch_failed_line. */

@@ -165,10 +165,10 @@ static void islands_and_joints_are_checked(void)
 	joint = cni_joint_at(world, k);
 	OFF_BY_ONE(world->constraint_count, "count of constraints");
 	BREAK(int32_t, ((int32_t *)world->awake_joints.data)[joint->awake], k + 1, "awake list of joint");
-	BREAK(int32_t, joint->linked, !joint->linked, "link of joint");
+	BREAK(uint16_t, joint->linked, !joint->linked, "link of joint");
 	for (k = 0; !cni_joint_is_constraint(cni_joint_at(world, k)->type); ++k)
 		;
-	BREAK(int32_t, cni_joint_at(world, k)->linked, 1, "link of joint"); /* which has one body: no other is looked at */
+	BREAK(uint16_t, cni_joint_at(world, k)->linked, 1, "link of joint"); /* which has one body: no other is looked at */
 	CHECK(fixture_is_valid(world));
 	cn_world_destroy(world);
 }
