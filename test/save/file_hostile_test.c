@@ -191,6 +191,44 @@ static void t_bodies_smaller_than_their_shapes_are_refused(void)
 	saved_free(&f);
 }
 
+/* Every other shape, the dead one too, at the head of a body's list. */
+static void t_lists_of_other_shapes_are_refused(void)
+{
+	saved f = zoo_file();
+	uint32_t stride;
+	int32_t bodies, shapes, k, slot, tried = 0, refused = 0;
+	uint8_t *at = records_of(&f, "BODY", &stride, &bodies);
+	(void)records_of(&f, "SHAP", &stride, &shapes);
+	at = records_of(&f, "BODY", &stride, &bodies);
+	for (k = 0; k < bodies; ++k, at += stride)
+		for (slot = -1; slot <= shapes; ++slot)
+			if (cni_file_get(at + 16, 8) != 0 && slot != (int32_t)cni_file_get(at + 108, 4)) { /* a living body has a rotation */
+				++tried;
+				refused += refused_with(&f, at + 108, (uint32_t)slot);
+			}
+	printf("  refused: %d of %d\n", (int)refused, (int)tried);
+	CHECK(tried > 10 && refused == tried);
+	saved_free(&f);
+}
+
+/* Passes over blocks read the rows of lanes without a contact, too. */
+static void t_rows_of_lanes_without_a_contact_are_refused(void)
+{
+	saved f = zoo_file();
+	uint32_t stride, info_stride;
+	int32_t blocks, infos, k, word, tried = 0, refused = 0;
+	uint8_t *at = records_of(&f, "BLOK", &stride, &blocks), *info = records_of(&f, "INFO", &info_stride, &infos);
+	for (k = 0; k < blocks; ++k)
+		for (word = 0; word < (int32_t)stride / 4; ++word)
+			if (cni_file_get(info + (uint32_t)k * info_stride + 4 * (word % CNI_LANES), 4) == 0xFFFFFFFFu) {
+				++tried;
+				refused += refused_with(&f, at + (uint32_t)k * stride + 4 * word, 0xBF800000u); /* -1 */
+			}
+	printf("  refused: %d of %d\n", (int)refused, (int)tried);
+	CHECK((tried > 10 || CNI_LANES == 1) && refused == tried);
+	saved_free(&f);
+}
+
 #ifdef TEST_SLOW
 #define MUTATIONS 800
 #else
@@ -325,6 +363,8 @@ int main(int argc, char **argv)
 	RUN(t_every_shortened_file_is_refused);
 	RUN(t_every_changed_byte_is_refused);
 	RUN(t_bodies_smaller_than_their_shapes_are_refused);
+	RUN(t_lists_of_other_shapes_are_refused);
+	RUN(t_rows_of_lanes_without_a_contact_are_refused);
 	RUN(t_forged_files_do_no_harm);
 	RUN(t_later_versions_may_add_chunks_and_fields);
 	RUN(t_arguments_are_checked);

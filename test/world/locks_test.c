@@ -160,7 +160,7 @@ static void locks_in_a_net_throw_nothing(void)
 	int32_t seed, seeds = TEST_MANY(30), x, y;
 	double fastest = 0.0;
 	for (seed = 0; seed < seeds; ++seed) {
-		uint32_t random = 5u + 17u * (uint32_t)seed;
+		uint32_t random = 413u + 17u * (uint32_t)seed;
 		cn_world *world = fixture_world(-10.0f, 0);
 		cn_body bodies[NET * NET];
 		for (y = 0; y < NET; ++y)
