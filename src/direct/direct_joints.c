@@ -85,7 +85,7 @@ static int32_t was_soft(const cn_world *world, const cni_sparse *sparse, const c
 
 /*
  * A long row of pins or rods between fixed bodies, such as a bridge between two walls, may be so straight that no force can hold it: rigid
- * joints explode there when contacts load it, or when they are to close what soft ones have opened (RATTLE finds that no motion does). Trees
+ * joints explode there when contacts, springs, motors or the mouse load it, or when they are to close what soft ones have opened (RATTLE finds that no motion does). Trees
  * have no such configurations, nor have loops with gears. A loop of few bodies stays exact (CNI_LOOP_BODIES), and so does a loop of moving bodies
  * alone, such as a scissor lift, unless it was soft and is still open, or most of its bodies touch something, more than contacts can know its
  * joints (direct/heavy_contacts.c): the links of a caterpillar track would be pressed into wheels. Contacts come and go: a loop that closed its
@@ -98,7 +98,7 @@ static int32_t loop_is_better_soft(const cn_world *world, const cni_solve *s, co
 	if (!CNI_ON(SOFT_LOOPS) || world->settings.solver != CN_SOLVER_AUTO || !c->loops || c->has_contacts || bodies == 0 || is_requested(world, sparse, c))
 		return 0;
 	opened = was_soft(world, sparse, c) && is_open(world, s, sparse, c);
-	if (touched == 0 && (c->uses_rattle || !opened))
+	if (touched == 0 && c->uses_rattle)
 		return 0;
 	fixed = cni_component_held(world, sparse, c);
 	if (!may_be_straight(world, sparse, c, fixed))

@@ -583,6 +583,46 @@ static void pulled_bridges_are_not_thrown(void)
 }
 
 /* Joins two parts as they are, by a pin, a weld or a rod. */
+/* A plank in each half second is dragged for 0.3 s, with up to 1,000 times its weight. Returns the greatest speed. */
+static double dragged_bridge_reaches(int32_t planks, uint32_t seed)
+{
+	scene s = scene_open(10.0, 0, CN_SOLVER_AUTO);
+	double fastest = 0.0;
+	int32_t k, step;
+	cn_joint mouse = 0;
+	for (k = 0; k < planks; ++k)
+		keep(&s, fixture_box(s.world, CN_BODY_DYNAMIC, (float)k + 0.5f, 20.0f, 0.0f, 0.5f, 0.125f, 0.6f, 0.0f));
+	for (k = 0; k <= planks; ++k)
+		bridge_joint_add(&s, k, planks, 0.0f, 0);
+	for (step = 0; step < 960; ++step) {
+		if (step % 120 == 0) {
+			cn_mouse_def def;
+			int32_t plank = (int32_t)fixture_random(&seed, 0.0f, (float)planks - 0.01f);
+			cn_vec2 p = fixture_pose(s.world, s.bodies[plank]).position_m;
+			cn_mouse_def_init(&def);
+			def.base.body_b = s.bodies[plank];
+			def.target_m = at(p.x + fixture_random(&seed, -3.0f, 3.0f), p.y + fixture_random(&seed, -1.0f, 3.0f));
+			def.base.force_max_N = 10.0f * mass_of(s.world, s.bodies[plank]).mass_kg * powf(10.0f, fixture_random(&seed, 1.0f, 3.0f));
+			mouse = make_mouse(s.world, &def);
+		} else if (step % 120 == 72) {
+			must(cn_joint_destroy(s.world, mouse), s.world, "cn_joint_destroy");
+		}
+		must(cn_world_step(s.world, 1.0f / 240.0f), s.world, "cn_world_step");
+		fastest = fmax(fastest, fastest_of(&s, s.bodies, planks));
+	}
+	scene_close(&s);
+	return fastest;
+}
+
+static void dragged_bridges_are_not_thrown(void)
+{
+	double fastest = 0.0;
+	uint32_t seed;
+	for (seed = 1; seed <= 8; ++seed)
+		fastest = fmax(fastest, dragged_bridge_reaches(80 + 2 * (int32_t)seed, seed * 7919u));
+	CHECK_LE("greatest speed of a plank", fastest, 60.0, "m/s");
+}
+
 static void join_in_play(scene *s, uint32_t *random)
 {
 	cn_body a = s->bodies[(int32_t)fixture_random(random, 0.0f, 8.99f)], b = s->bodies[(int32_t)fixture_random(random, 0.0f, 8.99f)];
@@ -649,6 +689,7 @@ int main(void)
 	RUN(light_bodies_between_heavy_ones_are_not_thrown);
 	RUN(light_discs_on_long_arms_are_not_thrown);
 	RUN(pulled_bridges_are_not_thrown);
+	RUN(dragged_bridges_are_not_thrown);
 	RUN(slides_that_part_are_not_thrown);
 	RUN(too_many_joints_stay_closed);
 	RUN(straight_bridges_rest);
