@@ -52,7 +52,7 @@ static int32_t constraint_is_rigid(const cn_world *world, const cni_joint_constr
 static int32_t only_component_holds(const cn_world *world, int32_t index)
 {
 	const cni_body *b = cni_body_at(world, cni_awake_ids(world)[index]);
-	if (cni_externals(world)[index].flags & (CNI_EXTERNAL_TOUCHED))
+	if (cni_externals(world)[index].flags & CNI_EXTERNAL_TOUCHED)
 		return 0;
 	for (int32_t key = b->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1]) {
 		int32_t at = cni_joint_at(world, key >> 1)->awake;

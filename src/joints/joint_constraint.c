@@ -22,39 +22,43 @@ static float mass_of(const cni_row *r, int32_t i, int32_t k, const cni_motion *a
 	return cni_lever_mass(&r[i].lever, &r[k].lever, a, b);
 }
 
-float cni_mobility_least(const cni_joint_constraint *w, const cni_motion *a, const cni_motion *b)
+cni_mobility cni_mobility_least(const cni_joint_constraint *w, const cni_motion *a, const cni_motion *b)
 {
-	int32_t locked = (w->flags & CNI_CONSTRAINT_LOCKS) || a->inv_inertia + b->inv_inertia == 0.0f;
-	return locked ? CNI_MOBILITY_LEAST_PART * (a->inv_mass + b->inv_mass) : 0.0f;
+	float turns = a->inv_inertia + b->inv_inertia, moves = a->inv_mass + b->inv_mass;
+	int32_t locked = (w->flags & CNI_CONSTRAINT_LOCKS) || turns == 0.0f;
+	cni_mobility least = { locked ? CNI_MOBILITY_LEAST_PART * moves : 0.0f, locked ? CNI_MOBILITY_LEAST_PART * (turns > 0.0f ? turns : moves) : 0.0f };
+	return least;
 }
 
+static float least_of(cni_mobility least, const cni_row *r) { return r->angular ? least.angular : least.linear; }
+
 /* From M = (K + least)^-1 to M K M, which is K^-1 but for directions without mobility, where it is 0. */
-static void inverse_filter(int32_t count, float least, float *inv)
+static void inverse_filter(const cni_row *r, int32_t count, cni_mobility least, float *inv)
 {
 	float m[6];
 	memcpy(m, inv, sizeof m);
 	for (int32_t i = 0; i < count; ++i)
 		for (int32_t k = i; k < count; ++k)
 			for (int32_t l = 0; l < count; ++l)
-				inv[cni_inverse_at(i, k)] -= least * m[cni_inverse_at(i, l)] * m[cni_inverse_at(l, k)];
+				inv[cni_inverse_at(i, k)] -= least_of(least, &r[l]) * m[cni_inverse_at(i, l)] * m[cni_inverse_at(l, k)];
 }
 
-void cni_rows_invert(const cni_joint_constraint *w, int32_t first, int32_t count, const cni_motion *a, const cni_motion *b, float least, float *inv)
+void cni_rows_invert(const cni_joint_constraint *w, int32_t first, int32_t count, const cni_motion *a, const cni_motion *b, cni_mobility least, float *inv)
 {
 	const cni_row *r = w->rows + first;
 	if (count == 1) {
-		float k = mass_of(r, 0, 0, a, b) + least;
+		float k = mass_of(r, 0, 0, a, b) + least_of(least, &r[0]);
 		inv[0] = k > 0.0f ? 1.0f / k : 0.0f;
 	} else if (count == 2) {
-		float k00 = mass_of(r, 0, 0, a, b) + least, k01 = mass_of(r, 0, 1, a, b), k11 = mass_of(r, 1, 1, a, b) + least;
+		float k00 = mass_of(r, 0, 0, a, b) + least_of(least, &r[0]), k01 = mass_of(r, 0, 1, a, b), k11 = mass_of(r, 1, 1, a, b) + least_of(least, &r[1]);
 		float det = k00 * k11 - k01 * k01;
 		float d = det > 0.0f ? 1.0f / det : 0.0f;
 		inv[0] = k11 * d;
 		inv[1] = -k01 * d;
 		inv[3] = k00 * d;
 	} else if (count == 3) {
-		float k00 = mass_of(r, 0, 0, a, b) + least, k01 = mass_of(r, 0, 1, a, b), k02 = mass_of(r, 0, 2, a, b);
-		float k11 = mass_of(r, 1, 1, a, b) + least, k12 = mass_of(r, 1, 2, a, b), k22 = mass_of(r, 2, 2, a, b) + least;
+		float k00 = mass_of(r, 0, 0, a, b) + least_of(least, &r[0]), k01 = mass_of(r, 0, 1, a, b), k02 = mass_of(r, 0, 2, a, b);
+		float k11 = mass_of(r, 1, 1, a, b) + least_of(least, &r[1]), k12 = mass_of(r, 1, 2, a, b), k22 = mass_of(r, 2, 2, a, b) + least_of(least, &r[2]);
 		float c00 = k11 * k22 - k12 * k12, c01 = k02 * k12 - k01 * k22, c02 = k01 * k12 - k02 * k11;
 		float det = k00 * c00 + k01 * c01 + k02 * c02;
 		float d = det > 0.0f ? 1.0f / det : 0.0f;
@@ -65,8 +69,8 @@ void cni_rows_invert(const cni_joint_constraint *w, int32_t first, int32_t count
 		inv[4] = (k01 * k02 - k00 * k12) * d;
 		inv[5] = (k00 * k11 - k01 * k01) * d;
 	}
-	if (least > 0.0f)
-		inverse_filter(count, least, inv);
+	if (least.linear > 0.0f)
+		inverse_filter(r, count, least, inv);
 }
 
 /* ---- frames ---- */
@@ -177,13 +181,13 @@ static void rows_build(cni_joint_constraint *w, const cni_motion *a, const cni_m
 	for (int32_t k = 0; w->rigid_count < 0; ++k)
 		if (k == w->row_count || (w->rows[k].kind != CNI_ROW_RIGID && w->rows[k].kind != CNI_ROW_DRIVE))
 			w->rigid_count = k;
-	float least = cni_mobility_least(w, a, b);
+	cni_mobility least = cni_mobility_least(w, a, b);
 	cni_rows_invert(w, 0, w->rigid_count, a, b, least, w->numbers->inverse);
 	for (int32_t k = w->rigid_count; k < w->row_count; ++k) {
 		if (constraint_is_decoupled(w))
 			row_decouple(w, k, a, b);
 		float mass = mass_of(w->rows, k, k, a, b);
-		w->numbers->single_mass[k] = mass > least ? 1.0f / mass : 0.0f;
+		w->numbers->single_mass[k] = mass > least_of(least, &w->rows[k]) ? 1.0f / mass : 0.0f;
 	}
 }
 

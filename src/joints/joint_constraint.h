@@ -133,10 +133,13 @@ void cni_joint_rows_end(const cn_world *world, const cni_joint_constraint *w, cn
 /* Builds the rows at the bodies' new positions with their present impulses; the change of the impulses' response goes into start. */
 void cni_joint_rows_renew(cn_world *world, cni_joint_constraint *w);
 /* What locked axes and rotations leave of the mobility of a row, or of a direction of a point, counts as none below this; 0: nothing is locked. */
-float cni_mobility_least(const cni_joint_constraint *w, const cni_motion *a, const cni_motion *b);
+typedef struct cni_mobility {
+	float linear, angular; /* 1/kg, 1/(kg m^2) */
+} cni_mobility;
+cni_mobility cni_mobility_least(const cni_joint_constraint *w, const cni_motion *a, const cni_motion *b);
 /* Inverse of the symmetric K of one to three rows from `first` on, as numbers->inverse; a singular K has the inverse 0, with some mobility
    `least` only in its directions without mobility. Other counts: nothing. */
-void cni_rows_invert(const cni_joint_constraint *w, int32_t first, int32_t count, const cni_motion *a, const cni_motion *b, float least, float *inv);
+void cni_rows_invert(const cni_joint_constraint *w, int32_t first, int32_t count, const cni_motion *a, const cni_motion *b, cni_mobility least, float *inv);
 /* The type's rows without decoupling, for joints whose rows were built in this step and whose other rows are limits that cannot act;
    turns: rotations by the motions' theta. Leaves impulses undefined, and the other rows of pins as they were. */
 void cni_joint_constraint_rows(cni_joint_constraint *w, const cni_motion *motions, const cni_rot *turns);

@@ -87,6 +87,29 @@ static void slides_hold_bodies_that_cannot_turn(void)
 	}
 }
 
+/* Also where a unit of length is a pixel: 1 / inertia is small there beside 1 / mass. */
+static void motors_turn_locked_wheels_of_any_size(void)
+{
+	int32_t solver, large;
+	for (solver = CN_SOLVER_AUTO; solver <= CN_SOLVER_SOFT; ++solver)
+		for (large = 0; large < 2; ++large) {
+			float radius = large ? 500.0f : 0.5f, mass;
+			cn_world *world = fixture_world(0.0f, 0);
+			cn_body wheel = fixture_circle(world, CN_BODY_DYNAMIC, 0.0f, 0.0f, radius, 0.6f, 0.0f);
+			cn_revolute_def def = revolute_def(0, at(0.0f, 0.0f), wheel, at(0.0f, 0.0f));
+			mass = mass_of(world, wheel).mass_kg;
+			must(cn_world_set_solver(world, solver), world, "cn_world_set_solver");
+			set_locks(world, wheel, CN_BODY_LOCK_X);
+			def.base.flags = CN_JOINT_MOTOR;
+			def.motor_speed_radps = 2.0f;
+			def.motor_torque_max_Nm = 100.0f * mass * radius * radius;
+			(void)make_revolute(world, &def);
+			fixture_step(world, 60);
+			CHECK_LE("error of the speed", fabs((double)fixture_velocity(world, wheel).angular_radps - 2.0), 0.01, "rad/s");
+			cn_world_destroy(world);
+		}
+}
+
 /* A joint that ends at a locked axis reports its force, and breaks by it. */
 static void a_locked_axis_reports_what_it_bears(void)
 {
@@ -186,6 +209,7 @@ int main(int argc, char **argv)
 	RUN(chains_hang_exactly_from_locked_bodies);
 	RUN(a_locked_axis_is_a_rail);
 	RUN(slides_hold_bodies_that_cannot_turn);
+	RUN(motors_turn_locked_wheels_of_any_size);
 	RUN(a_locked_axis_reports_what_it_bears);
 	RUN(locks_in_a_pile_throw_nothing);
 	RUN(locks_in_a_net_throw_nothing);
