@@ -296,8 +296,7 @@ typedef struct cn_world_def {
 	                                     islands, and with CN_SOLVER_AUTO 512 contacts of a world */
 	float restitution_threshold_mps;  /* slower impacts do not bounce, >= 0; CN_DEFAULT (default): 1 x length unit */
 	float push_speed_max_mps;         /* greatest speed at which the overlap of two shapes is pushed apart, and a gap of a directly solved
-	                                     joint closes (of its angles: rad/s, for each length unit; of other joints some five times
-	                                     as fast), > 0; in a crowd the
+	                                     joint closes (of its angles: rad/s, for each length unit), > 0; in a crowd the
 	                                     speeds of neighbours add up: n bodies made in one spot leave it at some sqrt(n) / 2
 	                                     times as much, on the ground, which pushes them upwards, at some sqrt(n) times;
 	                                     CN_DEFAULT (default): 3 x length unit */
@@ -650,8 +649,8 @@ CN_API cn_result cn_body_get_flags(const cn_world *world, cn_body body, uint32_t
 CN_API cn_result cn_body_set_awake(cn_world *world, cn_body body, int32_t awake);
 
 /* Teleports the body: origin in metres (|x|, |y| <= 1e6 length units), angle in radians (|angle| <= 1e4). Velocities stay.
-   Contacts whose boxes no longer overlap end at once, and the next step reports them. Wakes the body and its new and old
-   neighbours. O(contacts + shapes). */
+   Contacts whose boxes no longer overlap end at once, and the next step reports them. Gaps of its joints close at some 15 length
+   units a second. Wakes the body and its new and old neighbours. O(contacts + joints + shapes). */
 CN_API cn_result cn_body_set_pose(cn_world *world, cn_body body, float position_x_m, float position_y_m, float angle_rad);
 /* Reads the position of the origin and the rotation. */
 CN_API cn_result cn_body_get_pose(const cn_world *world, cn_body body, cn_pose *out);

@@ -623,8 +623,9 @@ public:
 	}
 
 	/// Teleports the body: origin in metres (|x|, |y| <= 1e6 length units), angle in radians (|angle| <= 1e4).
-	/// Velocities stay. Contacts whose boxes no longer overlap end at once, and the next step reports them.
-	/// Wakes the body and its new and old neighbours. O(contacts + shapes).
+	/// Velocities stay. Contacts whose boxes no longer overlap end at once, and the next step reports them. Gaps
+	/// of its joints close at some 15 length units a second. Wakes the body and its new and old neighbours.
+	/// O(contacts + joints + shapes).
 	Status body_set_pose(Body body, float position_x_m, float position_y_m, float angle_rad)
 	{
 		return Status(cn_body_set_pose(world_, body, position_x_m, position_y_m, angle_rad), world_);

@@ -237,10 +237,9 @@ namespace Cairn
 		/// <summary>slower impacts do not bounce, &gt;= 0; CN_DEFAULT (default): 1 x length unit</summary>
 		public float restitution_threshold_mps;
 		/// <summary>greatest speed at which the overlap of two shapes is pushed apart, and a gap of a directly solved joint
-		/// closes (of its angles: rad/s, for each length unit; of other joints some five times as fast), &gt; 0; in
-		/// a crowd the speeds of neighbours add up: n bodies made in one spot leave it at some sqrt(n) / 2 times as
-		/// much, on the ground, which pushes them upwards, at some sqrt(n) times; CN_DEFAULT (default): 3 x length
-		/// unit</summary>
+		/// closes (of its angles: rad/s, for each length unit), &gt; 0; in a crowd the speeds of neighbours add up:
+		/// n bodies made in one spot leave it at some sqrt(n) / 2 times as much, on the ground, which pushes them
+		/// upwards, at some sqrt(n) times; CN_DEFAULT (default): 3 x length unit</summary>
 		public float push_speed_max_mps;
 		/// <summary>faster bodies are slowed to it, &gt; 0; CN_DEFAULT (default): 400 x length unit</summary>
 		public float linear_speed_max_mps;
@@ -2043,7 +2042,8 @@ namespace Cairn
 
 		/// <summary>Teleports the body: origin in metres (|x|, |y| &lt;= 1e6 length units), angle in radians (|angle| &lt;=
 		/// 1e4). Velocities stay. Contacts whose boxes no longer overlap end at once, and the next step reports
-		/// them. Wakes the body and its new and old neighbours. O(contacts + shapes).</summary>
+		/// them. Gaps of its joints close at some 15 length units a second. Wakes the body and its new and old
+		/// neighbours. O(contacts + joints + shapes).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_set_pose(cn_world* world, cn_body body, float position_x_m, float position_y_m, float angle_rad);
 

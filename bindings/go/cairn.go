@@ -295,10 +295,9 @@ type WorldDef struct {
 	// slower impacts do not bounce, >= 0; CN_DEFAULT (default): 1 x length unit
 	RestitutionThresholdMps float32
 	// greatest speed at which the overlap of two shapes is pushed apart, and a gap of a directly solved joint
-	// closes (of its angles: rad/s, for each length unit; of other joints some five times as fast), > 0; in a
-	// crowd the speeds of neighbours add up: n bodies made in one spot leave it at some sqrt(n) / 2 times as
-	// much, on the ground, which pushes them upwards, at some sqrt(n) times; CN_DEFAULT (default): 3 x length
-	// unit
+	// closes (of its angles: rad/s, for each length unit), > 0; in a crowd the speeds of neighbours add up: n
+	// bodies made in one spot leave it at some sqrt(n) / 2 times as much, on the ground, which pushes them
+	// upwards, at some sqrt(n) times; CN_DEFAULT (default): 3 x length unit
 	PushSpeedMaxMps float32
 	// faster bodies are slowed to it, > 0; CN_DEFAULT (default): 400 x length unit
 	LinearSpeedMaxMps float32
@@ -1959,7 +1958,8 @@ func (w *World) BodySetAwake(body Body, awake int32) error {
 
 // BodySetPose: Teleports the body: origin in metres (|x|, |y| <= 1e6 length units), angle in radians (|angle|
 // <= 1e4). Velocities stay. Contacts whose boxes no longer overlap end at once, and the next step reports
-// them. Wakes the body and its new and old neighbours. O(contacts + shapes).
+// them. Gaps of its joints close at some 15 length units a second. Wakes the body and its new and old
+// neighbours. O(contacts + joints + shapes).
 func (w *World) BodySetPose(body Body, position_x_m float32, position_y_m float32, angle_rad float32) error {
 	defer runtime.KeepAlive(w)
 	return w.check(C.cn_body_set_pose(w.c(), C.cn_body(body), C.float(position_x_m), C.float(position_y_m), C.float(angle_rad)))

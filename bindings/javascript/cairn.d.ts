@@ -279,9 +279,9 @@ export interface WorldDef {
 	/** slower impacts do not bounce, >= 0; CN_DEFAULT (default): 1 x length unit */
 	restitution_threshold_mps: number;
 	/** greatest speed at which the overlap of two shapes is pushed apart, and a gap of a directly solved joint
-	closes (of its angles: rad/s, for each length unit; of other joints some five times as fast), > 0; in a crowd
-	the speeds of neighbours add up: n bodies made in one spot leave it at some sqrt(n) / 2 times as much, on the
-	ground, which pushes them upwards, at some sqrt(n) times; CN_DEFAULT (default): 3 x length unit */
+	closes (of its angles: rad/s, for each length unit), > 0; in a crowd the speeds of neighbours add up: n
+	bodies made in one spot leave it at some sqrt(n) / 2 times as much, on the ground, which pushes them upwards,
+	at some sqrt(n) times; CN_DEFAULT (default): 3 x length unit */
 	push_speed_max_mps: number;
 	/** faster bodies are slowed to it, > 0; CN_DEFAULT (default): 400 x length unit */
 	linear_speed_max_mps: number;
@@ -1357,8 +1357,9 @@ export class World {
 	bodies are unchanged. 0 can return CN_ERROR_MEMORY. O(island). */
 	bodySetAwake(body: Body, awake: number): void;
 	/** Teleports the body: origin in metres (|x|, |y| <= 1e6 length units), angle in radians (|angle| <= 1e4).
-	Velocities stay. Contacts whose boxes no longer overlap end at once, and the next step reports them. Wakes
-	the body and its new and old neighbours. O(contacts + shapes). */
+	Velocities stay. Contacts whose boxes no longer overlap end at once, and the next step reports them. Gaps of
+	its joints close at some 15 length units a second. Wakes the body and its new and old neighbours. O(contacts
+	+ joints + shapes). */
 	bodySetPose(body: Body, position_x_m: number, position_y_m: number, angle_rad: number): void;
 	/** Reads the position of the origin and the rotation. */
 	bodyGetPose(body: Body): Pose;

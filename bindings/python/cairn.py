@@ -329,7 +329,7 @@ class cn_world_def(_c.Structure):
         ("accuracy_m", _c.c_float),  # CN_SOLVER_AUTO aims at errors below this, >= 0; CN_DEFAULT (default): 0.005 x length unit
         ("work_budget", _c.c_int32),  # limit of direct solving in a step, in factored blocks (joints, contacts and their fill), substeps included, about 10 ns each; 1 to 1e9; CN_DEFAULT (default): the limits of single islands, and with CN_SOLVER_AUTO 512 contacts of a world
         ("restitution_threshold_mps", _c.c_float),  # slower impacts do not bounce, >= 0; CN_DEFAULT (default): 1 x length unit
-        ("push_speed_max_mps", _c.c_float),  # greatest speed at which the overlap of two shapes is pushed apart, and a gap of a directly solved joint closes (of its angles: rad/s, for each length unit; of other joints some five times as fast), > 0; in a crowd the speeds of neighbours add up: n bodies made in one spot leave it at some sqrt(n) / 2 times as much, on the ground, which pushes them upwards, at some sqrt(n) times; CN_DEFAULT (default): 3 x length unit
+        ("push_speed_max_mps", _c.c_float),  # greatest speed at which the overlap of two shapes is pushed apart, and a gap of a directly solved joint closes (of its angles: rad/s, for each length unit), > 0; in a crowd the speeds of neighbours add up: n bodies made in one spot leave it at some sqrt(n) / 2 times as much, on the ground, which pushes them upwards, at some sqrt(n) times; CN_DEFAULT (default): 3 x length unit
         ("linear_speed_max_mps", _c.c_float),  # faster bodies are slowed to it, > 0; CN_DEFAULT (default): 400 x length unit
         ("angular_speed_max_radps", _c.c_float),  # faster bodies are slowed to it, > 0; default 400
         ("sleep_speed_mps", _c.c_float),  # bodies slower than this may sleep, >= 0; CN_DEFAULT (default): 0.05 x length unit
@@ -1475,8 +1475,9 @@ cn_body_set_awake = _function(
 cn_body_set_pose = _function(
     "cn_body_set_pose",
     """Teleports the body: origin in metres (|x|, |y| <= 1e6 length units), angle in radians (|angle| <= 1e4).
-    Velocities stay. Contacts whose boxes no longer overlap end at once, and the next step reports them. Wakes
-    the body and its new and old neighbours. O(contacts + shapes).""",
+    Velocities stay. Contacts whose boxes no longer overlap end at once, and the next step reports them. Gaps
+    of its joints close at some 15 length units a second. Wakes the body and its new and old neighbours.
+    O(contacts + joints + shapes).""",
     cn_result, _c.POINTER(cn_world), cn_body, _c.c_float, _c.c_float, _c.c_float,
 )
 cn_body_get_pose = _function(
@@ -3408,7 +3409,8 @@ class World:
     def body_set_pose(self, body, position_x_m, position_y_m, angle_rad):
         """Teleports the body: origin in metres (|x|, |y| <= 1e6 length units), angle in radians (|angle| <=
         1e4). Velocities stay. Contacts whose boxes no longer overlap end at once, and the next step reports
-        them. Wakes the body and its new and old neighbours. O(contacts + shapes)."""
+        them. Gaps of its joints close at some 15 length units a second. Wakes the body and its new and old
+        neighbours. O(contacts + joints + shapes)."""
         _check(cn_body_set_pose(self.pointer, body, position_x_m, position_y_m, angle_rad), self.pointer)
 
     def body_get_pose(self, body):

@@ -575,7 +575,8 @@ pub const World = struct {
 
     /// Teleports the body: origin in metres (|x|, |y| <= 1e6 length units), angle in radians (|angle| <=
     /// 1e4). Velocities stay. Contacts whose boxes no longer overlap end at once, and the next step reports
-    /// them. Wakes the body and its new and old neighbours. O(contacts + shapes).
+    /// them. Gaps of its joints close at some 15 length units a second. Wakes the body and its new and old
+    /// neighbours. O(contacts + joints + shapes).
     pub fn bodySetPose(self: World, body: Body, position_x_m: f32, position_y_m: f32, angle_rad: f32) Error!void {
         return check(c.cn_body_set_pose(self.pointer, body, position_x_m, position_y_m, angle_rad));
     }

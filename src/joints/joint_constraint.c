@@ -43,9 +43,8 @@ static void inverse_filter(const cni_row *r, int32_t count, cni_mobility least, 
 				inv[cni_inverse_at(i, k)] -= least_of(least, &r[l]) * m[cni_inverse_at(i, l)] * m[cni_inverse_at(l, k)];
 }
 
-void cni_rows_invert(const cni_joint_constraint *w, int32_t first, int32_t count, const cni_motion *a, const cni_motion *b, cni_mobility least, float *inv)
+void cni_rows_invert(const cni_row *r, int32_t count, const cni_motion *a, const cni_motion *b, cni_mobility least, float *inv)
 {
-	const cni_row *r = w->rows + first;
 	if (count == 1) {
 		float k = mass_of(r, 0, 0, a, b) + least_of(least, &r[0]);
 		inv[0] = k > 0.0f ? 1.0f / k : 0.0f;
@@ -156,6 +155,8 @@ static float row_gap(const cni_row *r)
 	return r->kind == CNI_ROW_LIMIT ? cni_min(r->error, 0.0f) : r->error;
 }
 
+static float gap_most(const cn_world *world) { return CNI_JOINT_GAP_MOST * world->settings.length_unit; }
+
 static void rows_bound_gaps(cni_row *rows, int32_t count, float most)
 {
 	for (int32_t k = 0; k < count; ++k)
@@ -166,23 +167,23 @@ static void rows_bound_gaps(cni_row *rows, int32_t count, float most)
 static int32_t rows_make(const cni_joint_constraint *w, const cni_joint_frame *f, cni_row *rows)
 {
 	int32_t count = w->make_rows(w->record, f, rows);
-	if (w->flags & CNI_CONSTRAINT_APART)
-		rows_bound_gaps(rows, count, w->numbers->gap_most);
 	if (w->flags & CNI_CONSTRAINT_LOCKS)
 		rows_lock(rows, count, w->flags);
 	return count;
 }
 
 /* The rows stay the same in the same order during a step: the first build sets rigid_count. */
-static void rows_build(cni_joint_constraint *w, const cni_motion *a, const cni_motion *b)
+static void rows_build(const cn_world *world, cni_joint_constraint *w, const cni_motion *a, const cni_motion *b)
 {
 	cni_joint_frame f = constraint_frame(w, a, b);
 	w->row_count = rows_make(w, &f, w->rows);
+	if (w->flags & CNI_CONSTRAINT_APART)
+		rows_bound_gaps(w->rows, w->row_count, gap_most(world));
 	for (int32_t k = 0; w->rigid_count < 0; ++k)
 		if (k == w->row_count || (w->rows[k].kind != CNI_ROW_RIGID && w->rows[k].kind != CNI_ROW_DRIVE))
 			w->rigid_count = k;
 	cni_mobility least = cni_mobility_least(w, a, b);
-	cni_rows_invert(w, 0, w->rigid_count, a, b, least, w->numbers->inverse);
+	cni_rows_invert(w->rows, w->rigid_count, a, b, least, w->numbers->inverse);
 	for (int32_t k = w->rigid_count; k < w->row_count; ++k) {
 		if (constraint_is_decoupled(w))
 			row_decouple(w, k, a, b);
@@ -276,16 +277,14 @@ static void constraint_soften(cni_joint_constraint *w, const cni_joint *j, const
 static void apart_begin(cn_world *world, cni_joint_constraint *w)
 {
 	cni_row rows[CNI_JOINT_ROWS];
-	float most = CNI_JOINT_GAP_MOST * world->settings.length_unit, gap = 0.0f;
+	float gap = 0.0f;
 	int32_t count = w->make_rows(w->record, &w->start, rows);
 	for (int32_t k = 0; k < count; ++k)
 		gap = cni_max(gap, cni_abs(row_gap(&rows[k])));
-	if (gap > most && !(w->flags & CNI_CONSTRAINT_SPRINGY)) {
+	if (gap > gap_most(world) && !(w->flags & CNI_CONSTRAINT_SPRINGY))
 		w->flags |= CNI_CONSTRAINT_APART;
-		w->numbers->gap_most = most;
-	} else {
+	else
 		cni_joint_at(world, w->joint)->apart = 0;
-	}
 }
 
 void cni_joint_constraint_begin(cn_world *world, int32_t k, const cni_joint *j)
@@ -322,7 +321,7 @@ static void rows_begin(cn_world *world, const cni_solve *s, cni_joint_constraint
 	const cni_joint *j = w->record;
 	float impulse[CNI_JOINT_ROWS];
 	w->rigid_count = -1;
-	rows_build(w, cni_motions(world) + w->ia, cni_motions(world) + w->ib);
+	rows_build(world, w, cni_motions(world) + w->ia, cni_motions(world) + w->ib);
 	if ((w->flags & CNI_CONSTRAINT_LOCKS) && is_stuck(w, cni_motions(world) + w->ia, cni_motions(world) + w->ib))
 		w->flags |= CNI_CONSTRAINT_STUCK;
 	constraint_soften(w, j, s);
@@ -403,7 +402,7 @@ static void rows_renew(cn_world *world, cni_joint_constraint *w)
 	cni_row old[CNI_JOINT_ROWS];
 	for (int32_t k = 0; k < w->row_count; ++k)
 		old[k] = w->rows[k];
-	rows_build(w, a, b);
+	rows_build(world, w, a, b);
 	change_a.vx = change_a.vy = change_a.w = 0.0f;
 	change_b.vx = change_b.vy = change_b.w = 0.0f;
 	for (int32_t k = 0; k < w->row_count; ++k) {

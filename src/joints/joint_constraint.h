@@ -20,8 +20,8 @@ enum {
 	CNI_CONSTRAINT_LOCK_A = 1u << 8,    /* body a has this locked axis: its CN_BODY_LOCK_X and _Y flags from here on */
 	CNI_CONSTRAINT_LOCK_B = 1u << 10,
 	CNI_CONSTRAINT_LOCKS = 15u << 8,
-	CNI_CONSTRAINT_APART = 1u << 13,    /* it was made or put where its gap is beyond CNI_JOINT_GAP_MOST, to which its rows bound it */
-	CNI_CONSTRAINT_STUCK = 1u << 12     /* locked axes leave the first rows, or a direction of a point, next to no mobility */
+	CNI_CONSTRAINT_STUCK = 1u << 12,    /* locked axes leave the first rows, or a direction of a point, next to no mobility */
+	CNI_CONSTRAINT_APART = 1u << 13     /* it was made or put where its gap is beyond CNI_JOINT_GAP_MOST, to which its rows bound it */
 };
 
 /* Forms of lanes: joints/joint_pass.h. */
@@ -37,7 +37,6 @@ typedef struct cni_joint_numbers {
 	cni_soft soft;             /* springy: softness of the first rows and of limits */
 	cni_soft spring;           /* of the spring or soft row, if there is one */
 	float force_max, torque_max;       /* bounded: the bounds, FLT_MAX without one */
-	float gap_most;                    /* apart: CNI_JOINT_GAP_MOST, m */
 	float force_stress, torque_stress; /* breakable: largest reaction of the step so far */
 } cni_joint_numbers;
 
@@ -137,9 +136,9 @@ typedef struct cni_mobility {
 	float linear, angular; /* 1/kg, 1/(kg m^2) */
 } cni_mobility;
 cni_mobility cni_mobility_least(const cni_joint_constraint *w, const cni_motion *a, const cni_motion *b);
-/* Inverse of the symmetric K of one to three rows from `first` on, as numbers->inverse; a singular K has the inverse 0, with some mobility
-   `least` only in its directions without mobility. Other counts: nothing. */
-void cni_rows_invert(const cni_joint_constraint *w, int32_t first, int32_t count, const cni_motion *a, const cni_motion *b, cni_mobility least, float *inv);
+/* Inverse of the symmetric K of one to three rows, as numbers->inverse; a singular K has the inverse 0, with some mobility `least` only in its
+   directions without mobility. Other counts: nothing. */
+void cni_rows_invert(const cni_row *r, int32_t count, const cni_motion *a, const cni_motion *b, cni_mobility least, float *inv);
 /* The type's rows without decoupling, for joints whose rows were built in this step and whose other rows are limits that cannot act;
    turns: rotations by the motions' theta. Leaves impulses undefined, and the other rows of pins as they were. */
 void cni_joint_constraint_rows(cni_joint_constraint *w, const cni_motion *motions, const cni_rot *turns);

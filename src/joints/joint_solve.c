@@ -105,7 +105,7 @@ static void solve_part(cni_joint_constraint *w, int32_t first, int32_t count, fl
 {
 	float inverse[6], dj[CNI_JOINT_RIGID_ROWS];
 	cni_row *rows = w->rows + first;
-	cni_rows_invert(w, first, count, a, b, cni_mobility_least(w, a, b), inverse);
+	cni_rows_invert(rows, count, a, b, cni_mobility_least(w, a, b), inverse);
 	block_solve(rows, count, inverse, a, b, soft, dj);
 	block_clamp(rows, count, most, dj);
 	block_push(rows, count, dj, a, b);

@@ -104,6 +104,9 @@ typedef struct cni_block_anchor {
 	} of;
 } cni_block_anchor;
 
+/* Rows of a block as one array: row r of a lane is rows[r * CNI_LANES + lane]. */
+#define CNI_ROWS_OF(record) ((int32_t)(sizeof(record) / (CNI_LANES * sizeof(float))))
+
 /* Extra rows, which few contacts need, beside the block of the same index. */
 typedef struct cni_block_extra {
 	float tangent_speed[CNI_LANES];  /* target slip along t; the first four rows stay with a contact that sleeps */

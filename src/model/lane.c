@@ -14,9 +14,6 @@
 
 #include <string.h>
 
-/* Rows of a block as one array: row r of a lane is rows[r * CNI_LANES + lane]. */
-#define ROWS_OF(record) ((int32_t)(sizeof(record) / (CNI_LANES * sizeof(float))))
-
 int32_t cni_lane_reserve_extra(cn_world *world)
 {
 	return cni_table_reserve(&world->blocks_extra, &world->memory, cni_table_capacity(&world->blocks_hot));
@@ -186,7 +183,7 @@ static void extra_move(cn_world *world, int32_t from, int32_t to)
 {
 	cni_block_extra *source = cni_block_extra_at(world, from / CNI_LANES), *target = cni_block_extra_at(world, to / CNI_LANES);
 	if (source != NULL)
-		column_move(source, target, from, to, ROWS_OF(cni_block_extra));
+		column_move(source, target, from, to, CNI_ROWS_OF(cni_block_extra));
 }
 
 void cni_lane_set_fresh(cn_world *world, int32_t slot)
@@ -222,7 +219,7 @@ static void anchor_move(cn_world *world, int32_t from, int32_t to)
 {
 	cni_block_info *source_info = cni_block_info_at(world, from / CNI_LANES), *target_info = cni_block_info_at(world, to / CNI_LANES);
 	uint32_t anchored = source_info->anchored >> from % CNI_LANES & 1u & (from != to);
-	column_move(cni_block_anchor_at(world, from / CNI_LANES), cni_block_anchor_at(world, to / CNI_LANES), from, to, ROWS_OF(cni_block_anchor));
+	column_move(cni_block_anchor_at(world, from / CNI_LANES), cni_block_anchor_at(world, to / CNI_LANES), from, to, CNI_ROWS_OF(cni_block_anchor));
 	source_info->anchored = (uint16_t)cni_bits_with(source_info->anchored, (uint32_t)from % CNI_LANES, 0);
 	target_info->anchored = (uint16_t)cni_bits_with(target_info->anchored, (uint32_t)to % CNI_LANES, anchored);
 	bit_move(&source_info->of_b, &target_info->of_b, from, to);
@@ -235,7 +232,7 @@ static void lane_move(cn_world *world, int32_t from, int32_t to)
 {
 	cni_block_info *source_info = cni_block_info_at(world, from / CNI_LANES);
 	cni_block_info *target_info = cni_block_info_at(world, to / CNI_LANES);
-	column_move(cni_block_at(world, from / CNI_LANES), cni_block_at(world, to / CNI_LANES), from, to, ROWS_OF(cni_contact_block));
+	column_move(cni_block_at(world, from / CNI_LANES), cni_block_at(world, to / CNI_LANES), from, to, CNI_ROWS_OF(cni_contact_block));
 	if (from != to) {
 		int32_t contact = source_info->contact[from % CNI_LANES];
 		target_info->contact[to % CNI_LANES] = contact;

@@ -219,7 +219,7 @@ static int32_t lane_is_empty(const cn_world *world, int32_t block, int32_t lane)
 {
 	const cni_block_info *info = cni_block_info_at(world, block);
 	const float *rows = (const float *)(const void *)cni_block_at(world, block);
-	for (int32_t row = 0; row < (int32_t)(sizeof(cni_contact_block) / (CNI_LANES * sizeof(float))); ++row)
+	for (int32_t row = 0; row < CNI_ROWS_OF(cni_contact_block); ++row)
 		if (!(rows[row * CNI_LANES + lane] == 0.0f))
 			return 0;
 	return info->contact[lane] == CNI_NONE && !(info->anchored >> lane & 1u);

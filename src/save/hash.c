@@ -2,7 +2,7 @@
  * save/hash.c - one number for the state of a world (FNV-1a: Fowler, Noll, Vo, 1991).
  *
  * Values are hashed as little-endian bytes on every machine, so that histories can be compared between
- * machines. Order: bodies, touching contacts, then joints with solver memory (cni_joint_trust), each by slot.
+ * machines. Order: bodies, touching contacts, then joints with solver memory (cni_joint_trust, apart), each by slot.
  */
 #include "model/world.h"
 
@@ -39,12 +39,13 @@ static uint64_t hash_joint(uint64_t hash, const cn_world *world, int32_t joint)
 {
 	const cni_joint_trust *t = &cni_joint_at(world, joint)->trust;
 	int32_t waits = t->span > 0 && t->until > world->step_count;
-	if (t->surplus == 0.0f && t->span == 0)
+	uint32_t apart = cni_joint_at(world, joint)->apart;
+	if (t->surplus == 0.0f && t->span == 0 && !apart)
 		return hash;
 	hash = hash_word(hash, (uint32_t)joint);
 	hash = hash_float(hash, t->surplus);
 	hash = hash_word(hash, waits ? t->until - world->step_count : 0);
-	return hash_word(hash, (uint32_t)t->span << 16 | t->soft);
+	return hash_word(hash, (uint32_t)t->span << 16 | apart << 8 | t->soft);
 }
 
 cn_result cn_world_hash(const cn_world *world, uint64_t *out_hash)

@@ -19,13 +19,13 @@ typedef struct arch_scene {
 #define ARCH_SCENES 8
 static const arch_scene arch_scenes[ARCH_SCENES] = {
 	{ "shapes", scene_shapes, 0x4cbfae011f1d3379 },
-	{ "joints", scene_joints, 0x45cdb63a32b55480 },
-	{ "direct", scene_direct, 0xa13d8f430afde313 },
+	{ "joints", scene_joints, 0xf556e3847e4d26db },
+	{ "direct", scene_direct, 0x1c502cb1b4fa7ecb },
 	{ "tiers", scene_tiers, 0x7cea209b72622e28 },
-	{ "sequential", scene_sequential, 0x6bc77927e99d3264 },
+	{ "sequential", scene_sequential, 0x8420c332fa1de2a4 },
 	{ "queries", scene_queries, 0xb79cb4644a093b1c },
-	{ "events", scene_events, 0x7ca261c9e70e84b8 },
-	{ "file", scene_file, 0x30386f6dc4871157 },
+	{ "events", scene_events, 0x3dbad158efe14a1c },
+	{ "file", scene_file, 0x36d6ce7453228efd },
 };
 
 /* The number of a scene; 0 if a call failed: arch_failed_line. */

@@ -197,7 +197,7 @@ static void t_lists_of_other_shapes_are_refused(void)
 	saved f = zoo_file();
 	uint32_t stride;
 	int32_t bodies, shapes, k, slot, tried = 0, refused = 0;
-	uint8_t *at = records_of(&f, "BODY", &stride, &bodies);
+	uint8_t *at;
 	(void)records_of(&f, "SHAP", &stride, &shapes);
 	at = records_of(&f, "BODY", &stride, &bodies);
 	for (k = 0; k < bodies; ++k, at += stride)

@@ -189,6 +189,15 @@ static void bridge_joint_add(scene *s, int32_t k, int32_t planks, float torque, 
 		(void)make_revolute(s->world, &pin_def);
 }
 
+static void bridge_add(scene *s, int32_t planks, float torque, int32_t welds)
+{
+	int32_t k;
+	for (k = 0; k < planks; ++k)
+		keep(s, fixture_box(s->world, CN_BODY_DYNAMIC, (float)k + 0.5f, 20.0f, 0.0f, 0.5f, 0.125f, 0.6f, 0.0f));
+	for (k = 0; k <= planks; ++k)
+		bridge_joint_add(s, k, planks, torque, welds);
+}
+
 /* Planks in a row between two walls, whose pins have friction (motors of speed 0 and this torque), or are welds in part; discs fall on it and
    roll off. Returns the speed of its fastest plank in 12 s. */
 static double bridge_speed(int32_t planks, float torque, int32_t welds, int32_t discs, int32_t rate, int32_t substeps)
@@ -197,10 +206,7 @@ static double bridge_speed(int32_t planks, float torque, int32_t welds, int32_t 
 	double most = 0.0;
 	int32_t k;
 	must(cn_world_set_substep_count(s.world, substeps), s.world, "cn_world_set_substep_count");
-	for (k = 0; k < planks; ++k)
-		keep(&s, fixture_box(s.world, CN_BODY_DYNAMIC, (float)k + 0.5f, 20.0f, 0.0f, 0.5f, 0.125f, 0.6f, 0.0f));
-	for (k = 0; k <= planks; ++k)
-		bridge_joint_add(&s, k, planks, torque, welds);
+	bridge_add(&s, planks, torque, welds);
 	for (k = 0; k < discs; ++k)
 		fixture_circle(s.world, CN_BODY_DYNAMIC, (float)planks * (0.2f + 0.6f * (float)k / (float)discs), 22.0f + 2.0f * (float)k, 0.5f, 0.6f, 0.0f);
 	for (k = 0; k < 12 * rate; ++k) {
@@ -582,18 +588,14 @@ static void pulled_bridges_are_not_thrown(void)
 	CHECK_LE("fastest (soft constraints 28)", fastest, 40.0, "m/s");
 }
 
-/* Joins two parts as they are, by a pin, a weld or a rod. */
 /* A plank in each half second is dragged for 0.3 s, with up to 1,000 times its weight. Returns the greatest speed. */
 static double dragged_bridge_reaches(int32_t planks, uint32_t seed)
 {
 	scene s = scene_open(10.0, 0, CN_SOLVER_AUTO);
 	double fastest = 0.0;
-	int32_t k, step;
+	int32_t step;
 	cn_joint mouse = 0;
-	for (k = 0; k < planks; ++k)
-		keep(&s, fixture_box(s.world, CN_BODY_DYNAMIC, (float)k + 0.5f, 20.0f, 0.0f, 0.5f, 0.125f, 0.6f, 0.0f));
-	for (k = 0; k <= planks; ++k)
-		bridge_joint_add(&s, k, planks, 0.0f, 0);
+	bridge_add(&s, planks, 0.0f, 0);
 	for (step = 0; step < 960; ++step) {
 		if (step % 120 == 0) {
 			cn_mouse_def def;
@@ -623,6 +625,7 @@ static void dragged_bridges_are_not_thrown(void)
 	CHECK_LE("greatest speed of a plank", fastest, 60.0, "m/s");
 }
 
+/* Joins two parts as they are, by a pin, a weld or a rod. */
 static void join_in_play(scene *s, uint32_t *random)
 {
 	cn_body a = s->bodies[(int32_t)fixture_random(random, 0.0f, 8.99f)], b = s->bodies[(int32_t)fixture_random(random, 0.0f, 8.99f)];

@@ -385,10 +385,9 @@ pub struct cn_world_def {
     /// slower impacts do not bounce, >= 0; CN_DEFAULT (default): 1 x length unit
     pub restitution_threshold_mps: f32,
     /// greatest speed at which the overlap of two shapes is pushed apart, and a gap of a directly solved
-    /// joint closes (of its angles: rad/s, for each length unit; of other joints some five times as fast), >
-    /// 0; in a crowd the speeds of neighbours add up: n bodies made in one spot leave it at some sqrt(n) / 2
-    /// times as much, on the ground, which pushes them upwards, at some sqrt(n) times; CN_DEFAULT (default):
-    /// 3 x length unit
+    /// joint closes (of its angles: rad/s, for each length unit), > 0; in a crowd the speeds of neighbours
+    /// add up: n bodies made in one spot leave it at some sqrt(n) / 2 times as much, on the ground, which
+    /// pushes them upwards, at some sqrt(n) times; CN_DEFAULT (default): 3 x length unit
     pub push_speed_max_mps: f32,
     /// faster bodies are slowed to it, > 0; CN_DEFAULT (default): 400 x length unit
     pub linear_speed_max_mps: f32,
@@ -1861,7 +1860,8 @@ extern "C" {
     pub fn cn_body_set_awake(world: *mut cn_world, body: cn_body, awake: i32) -> cn_result;
     /// Teleports the body: origin in metres (|x|, |y| <= 1e6 length units), angle in radians (|angle| <=
     /// 1e4). Velocities stay. Contacts whose boxes no longer overlap end at once, and the next step reports
-    /// them. Wakes the body and its new and old neighbours. O(contacts + shapes).
+    /// them. Gaps of its joints close at some 15 length units a second. Wakes the body and its new and old
+    /// neighbours. O(contacts + joints + shapes).
     pub fn cn_body_set_pose(world: *mut cn_world, body: cn_body, position_x_m: f32, position_y_m: f32, angle_rad: f32) -> cn_result;
     /// Reads the position of the origin and the rotation.
     pub fn cn_body_get_pose(world: *const cn_world, body: cn_body, out: *mut cn_pose) -> cn_result;
