@@ -12,6 +12,7 @@
 #include "direct/direct.h"
 #include "direct/direct_contact.h"
 #include "direct/direct_system.h"
+#include "direct/heavy_contacts.h"
 
 #include <string.h>
 

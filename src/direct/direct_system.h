@@ -70,20 +70,6 @@ void cni_direct_system(cn_world *world, const cni_solve *s, cni_sparse *sparse, 
 /* Lists the components that contacts may open: direct/joint_projection.c. */
 void cni_projection_mark(const cn_world *world, cni_sparse *sparse);
 
-/* ---- contacts with lighter bodies of components: direct/heavy_contacts.c ---- */
-
-/* As many contacts of a component as there is work for: each of them solves its system some forty times a step, so the larger the system,
-   the fewer. */
-int32_t cni_heavy_contacts_most(const cni_sparse *sparse, const cni_component *c);
-/* Lists those of a component. 0: it has none. */
-int32_t cni_heavy_contacts_list(const cn_world *world, const cni_solve *s, cni_sparse *sparse, int32_t component);
-/* Finds the response of the joints; after cni_projection_mark. */
-void cni_heavy_contacts_find(cn_world *world, const cni_solve *s, cni_sparse *sparse);
-/* Solves each of them once, after the joints. */
-void cni_heavy_contacts_solve(cn_world *world, const cni_solve *s, int32_t bias);
-/* After the substeps: those that were hit bounce. */
-void cni_heavy_contacts_bounce(cn_world *world, const cni_solve *s);
-
 /* ---- motors and limits in the system: direct/active_rows.c ---- */
 
 /* Bits of the `active` of a joint's node. */

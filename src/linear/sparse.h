@@ -109,22 +109,6 @@ typedef struct cni_marked_lanes {
 	int32_t other; /* component of their other bodies, if contacts may open it, or CNI_NONE */
 } cni_marked_lanes;
 
-/* A contact of a body with a lighter one of a component: direct/heavy_contacts.c. */
-#define CNI_HEAVY_CONTACTS_MOST 32 /* in a step */
-
-typedef struct cni_heavy_contact {
-	int32_t component, contact;
-	float turn_most; /* rad: farthest turn of the component's bodies in this step until k is found again */
-	float k[3][3]; /* inverse effective mass of its rows with the component's joints */
-	float impulse_most; /* N s, of a normal row */
-	float tangent_speed; /* of a conveyor */
-	float bounce[2]; /* m/s: speed of each point after its impact; 0: it does not bounce in this step */
-	float restitution; /* of its lane, which has none during the substeps */
-	uint8_t is_light;  /* 1: listed because it bounces */
-	uint8_t is_hit;    /* 1: it bore an impulse in this step */
-	uint8_t reserved[2];
-} cni_heavy_contact;
-
 /* The topology of a tree of nodes of two rows: components are of one class when their topologies are equal. */
 #define CNI_TOPOLOGY_NODES 32
 #define CNI_TOPOLOGY_COUPLINGS 3 /* for each node */
@@ -159,8 +143,11 @@ typedef struct cni_sparse {
 	cni_marked_lanes *projection_marks; /* the contacts of each projection's bodies */
 	int32_t projection_mark_count;
 	int32_t *projection_of;           /* by dense body: its component, if contacts may open it, or CNI_NONE */
-	cni_heavy_contact *heavies;   /* direct/heavy_contacts.c */
+	struct cni_heavy_contact *heavies;   /* direct/heavy_contacts.c */
 	int32_t heavy_count;
+	struct cni_heavy_group *heavy_groups;  /* ... by component */
+	int32_t heavy_group_count;
+	struct cni_direct_contact *heavy_points; /* ... of the group that is solved */
 	cni_motion *saved;            /* by index in bodies */
 	float *pull;                  /* by dense body: sum(r.f) of its joints; direct/geometric_stiffness.c */
 	cni_rot *turn;                /* by dense body: rotation since the step began */

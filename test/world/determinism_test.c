@@ -24,13 +24,13 @@ typedef struct golden {
 
 /* clang-format off */
 static const golden goldens[] = {
-	{ "falling_hinges", 480, 1, 0xb5f5d76bb1104c62 },
+	{ "falling_hinges", 480, 1, 0xe5b01c0810e92e11 },
 	{ "small_200", 300, 1, 0x87ecd5330aaa86da },
 	{ "small_50_sleep", 600, 1, 0x71eccb9d1bba6197 },
 	{ "dominoes", 400, 1, 0x1b40e5f4ad59c08c },
-	{ "ragdolls", 480, 1, 0xbaab99d45dc5fed7 },
+	{ "ragdolls", 480, 1, 0x80e7091e7da4f41e },
 	{ "bridge", 240, 1, 0xfd2ab847542b0645 },
-	{ "car", 400, 1, 0xd12f032a6450beb9 },
+	{ "car", 400, 1, 0xdf852f098ed22321 },
 	{ "mixer", 240, 1, 0x12d6eb74fe74d818 },
 	{ "pyramid", 120, 0, 0x387c9d4d7cb5aaff },
 	{ "rain", 150, 0, 0xbd48b22521a1db77 },

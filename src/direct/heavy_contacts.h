@@ -1,0 +1,60 @@
+/*
+ * direct/heavy_contacts.h - contacts with lighter bodies that exact joints hold, solved with the response of the joints:
+ * direct/heavy_contacts.c; which they are: direct/heavy_contacts_list.c.
+ */
+#ifndef CNI_DIRECT_HEAVY_CONTACTS_H
+#define CNI_DIRECT_HEAVY_CONTACTS_H
+
+#include "direct/direct_contact.h"
+#include "direct/direct_system.h"
+
+#define CNI_HEAVY_CONTACTS_MOST 32 /* in a step */
+#define CNI_HEAVY_ROWS 3  /* of a contact: two points, friction */
+#define CNI_HEAVY_LANES 4 /* ... places for them in vectors of speeds, the last zero */
+
+typedef struct cni_heavy_contact {
+	int32_t component, contact;
+	float impulse_most; /* N s, of a normal row */
+	float tangent_speed; /* of a conveyor */
+	float bounce[2]; /* m/s: speed of each point after its impact; 0: it does not bounce in this step */
+	float restitution; /* of its lane, which has none during the substeps */
+	float aside[2][3]; /* velocities of its bodies while motions hold changes */
+	uint8_t is_light;  /* 1: listed because it bounces */
+	uint8_t is_left;   /* 1: left to the kernel, as joints do not bear its impact */
+	uint8_t is_hit;    /* 1: it bore an impulse in this step */
+	uint8_t reserved;
+} cni_heavy_contact;
+
+/* Those of one component: heavies[begin] to heavies[end - 1]. */
+typedef struct cni_heavy_group {
+	int32_t component, begin, end;
+	float turn_most;    /* rad: farthest turn of the component's bodies in this step until the response is found again */
+	float *response;    /* for each row: speeds of all rows after an impulse of 1 in it */
+} cni_heavy_group;
+
+/* Scratch memory: of a contact at work; a bound on all, as each contact may be a group, and one group may have all. */
+#define CNI_HEAVY_POINT_BYTES (sizeof(cni_direct_contact) + CNI_HEAVY_LANES * (sizeof(cni_lever) + 3 * sizeof(float)))
+#define CNI_HEAVY_BYTES (CNI_HEAVY_CONTACTS_MOST * (sizeof(cni_heavy_contact) + sizeof(cni_heavy_group) + CNI_HEAVY_POINT_BYTES + \
+	CNI_HEAVY_ROWS * CNI_HEAVY_LANES * CNI_HEAVY_CONTACTS_MOST * sizeof(float)) + 48)
+
+static inline int32_t cni_heavy_bounces(const cni_heavy_contact *h) { return h->bounce[0] + h->bounce[1] > 0.0f; }
+
+static inline float *cni_heavy_restitution(const cn_world *world, int32_t contact)
+{
+	int32_t slot = cni_contact_at(world, contact)->slot;
+	return &cni_block_info_at(world, slot / CNI_LANES)->restitution[slot % CNI_LANES];
+}
+
+/* As many contacts of a component as there is work for: each of them solves its system several times a step, so the larger the system,
+   the fewer. */
+int32_t cni_heavy_contacts_most(const cni_sparse *sparse, const cni_component *c);
+/* Lists those of a component. 0: it has none. */
+int32_t cni_heavy_contacts_list(const cn_world *world, const cni_solve *s, cni_sparse *sparse, int32_t component);
+/* Finds the response of the joints; after cni_projection_mark. */
+void cni_heavy_contacts_find(cn_world *world, const cni_solve *s, cni_sparse *sparse);
+/* One pass over them, after the joints. */
+void cni_heavy_contacts_solve(cn_world *world, const cni_solve *s, int32_t bias);
+/* After the substeps: those that were hit bounce. */
+void cni_heavy_contacts_bounce(cn_world *world, const cni_solve *s);
+
+#endif
