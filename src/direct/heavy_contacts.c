@@ -139,13 +139,20 @@ static void velocities_return(const group_pass *q)
 		velocity_add(body_of(q, k >> 1, k & 1), q->heavies[k >> 1].aside[k & 1]);
 }
 
+/* The change of a body's velocity; a kinematic body of a joint keeps its velocity in motions, and has none. */
+static const cni_motion *change_of(const group_pass *q, int32_t index)
+{
+	const cni_motion *m = cni_motions(q->world) + index;
+	return cni_motion_can_move(m) ? m : cni_motions(q->world); /* index 0 never moves */
+}
+
 /* Right sides of the joints against the changes. */
 static void sides_set(const group_pass *q)
 {
 	int32_t k;
 	for (k = q->c->begin; k < q->c->end; ++k) {
 		cni_node *n = &q->sparse->nodes[k];
-		cni_four_store(n->x, cni_four_scale(cni_levers_speed(&n->levers, cni_motions(q->world) + n->ia, cni_motions(q->world) + n->ib), -1.0f));
+		cni_four_store(n->x, cni_four_scale(cni_levers_speed(&n->levers, change_of(q, n->ia), change_of(q, n->ib)), -1.0f));
 	}
 }
 
@@ -431,20 +438,31 @@ static int32_t impulses_find(group_pass *q)
 	return changed;
 }
 
-/* Applies them through the joints. */
-static void impulses_apply(group_pass *q)
+static void impulses_push(const group_pass *q, float sign)
 {
 	int32_t i, k;
-	velocities_set_aside(q);
 	for (i = 0; i < q->count; ++i)
 		for (k = 0; k < CNI_HEAVY_ROWS; ++k)
-			row_push(q, i, k, q->points[i].j[k] - q->points[i].first[k]);
+			row_push(q, i, k, sign * (q->points[i].j[k] - q->points[i].first[k]));
+}
+
+/* Applies them through the joints. Where these have no solution their impulses are taken back: some cancel each other by the joints alone. */
+static void impulses_apply(group_pass *q)
+{
+	int32_t i;
+	velocities_set_aside(q);
+	impulses_push(q, 1.0f);
 	sides_set(q);
 	velocities_return(q);
-	if (!cni_direct_apply(q->world, q->sparse, q->c))
-		cni_component_suspend(q->world, q->sparse, q->c, 0);
-	else if (q->c->batches)
-		cni_tree_lane_add(q->s, q->c);
+	if (cni_direct_apply(q->world, q->sparse, q->c)) {
+		if (q->c->batches)
+			cni_tree_lane_add(q->s, q->c);
+		return;
+	}
+	cni_component_suspend(q->world, q->sparse, q->c, 0);
+	impulses_push(q, -1.0f);
+	for (i = 0; i < q->count; ++i)
+		memcpy(q->points[i].j, q->points[i].first, sizeof q->points[i].j);
 }
 
 static void lane_write(const group_pass *q, int32_t contact)
