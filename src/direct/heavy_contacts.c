@@ -12,6 +12,7 @@
  * the joints turn away from the response: a turn by d changes the square root of a row's inverse mass by at most d times that of the free
  * bodies. Where that may be a large part, the response is found again.
  *
+ * A contact yields, as soft ones do, by what it bears more than in the last step: a box at rest would sink in as far as the board below it is light.
  * The kernel's passes include these lanes. Their loads equal their impulses, so there they do not yield. Rolling resistance is the kernel's.
  *
  * The impacts of contacts/restitution.c are those of free bodies: the joints would stop the board that was hit, and with it the bounce. These
@@ -86,6 +87,12 @@ static float *response_of(const group_pass *q, int32_t contact, int32_t row)
 static float inverse_mass(const group_pass *q, int32_t contact, int32_t row)
 {
 	return q->points[contact].mass[row] > 0.0f ? response_of(q, contact, row)[at(contact, row)] : 0.0f;
+}
+
+/* 1: both of its bodies are of the component. */
+static int32_t is_inner(const group_pass *q, int32_t contact)
+{
+	return q->sparse->projection_of[q->points[contact].ia] == q->sparse->projection_of[q->points[contact].ib];
 }
 
 /* ---- changes of velocity ---- */
@@ -211,7 +218,7 @@ static void column_find(const group_pass *q, int32_t contact, int32_t row)
 {
 	const cni_direct_contact *p = &q->points[contact];
 	float *column = response_of(q, contact, row), *own = &column[at(contact, row)], mass = p->mass[row];
-	float least = q->sparse->projection_of[p->ia] == q->sparse->projection_of[p->ib] ? 1.0f : INVERSE_MASS_LEAST;
+	float least = is_inner(q, contact) ? 1.0f : INVERSE_MASS_LEAST;
 	velocities_clear(q);
 	row_push(q, contact, row, mass);
 	joints_answer(q);
@@ -307,6 +314,14 @@ static int32_t is_borne(const group_pass *q, int32_t contact)
 	return 0;
 }
 
+/* A chain that winds up on a drum of its own yields as others do: each link that arrives would pluck it. */
+static void load_read(const group_pass *q, int32_t contact)
+{
+	int32_t k;
+	for (k = 0; k < 2; ++k)
+		q->heavies[contact].load[k] = is_inner(q, contact) ? 0.0f : q->points[contact].j[k];
+}
+
 void cni_heavy_contacts_find(cn_world *world, const cni_solve *s, cni_sparse *sparse)
 {
 	group_pass q;
@@ -318,6 +333,7 @@ void cni_heavy_contacts_find(cn_world *world, const cni_solve *s, cni_sparse *sp
 			cni_tree_lane_system(s, q.c);
 		response_find(&q);
 		for (i = 0; i < q.count; ++i) {
+			load_read(&q, i);
 			q.heavies[i].is_left = (uint8_t)(q.heavies[i].is_light && !is_borne(&q, i));
 			if (!q.heavies[i].is_left)
 				*cni_heavy_restitution(world, q.heavies[i].contact) = 0.0f;
@@ -327,15 +343,18 @@ void cni_heavy_contacts_find(cn_world *world, const cni_solve *s, cni_sparse *sp
 
 /* ---- a pass ---- */
 
-/* Target of a normal impulse: a pass as in contacts/contact_kernel.h, without load and hardening, with the mass m. */
-static float normal_target(const cni_solve *s, const cni_direct_contact *p, int32_t row, float m, float speed, float separation, int32_t bias)
+/* Target of a normal impulse: a pass as in contacts/contact_kernel.h, without hardening, with the mass m. A point that parts faster than `leaving`
+   keeps no load. */
+static float normal_target(const cni_solve *s, const cni_direct_contact *p, int32_t row, float load, float leaving, float m, float speed, float separation, int32_t bias)
 {
 	const cni_contact_pass *pass = &s->contact[0];
 	float soft = pass->soft.mass_scale, push = cni_max(pass->soft.bias_scale * separation, -s->push_speed * soft);
 	if (separation > 0.0f && !bias && speed < pass->impact_speed && p->j[row] <= 0.0f)
 		return 0.0f;
-	if (separation <= 0.0f && bias)
-		return cni_max(soft * p->j[row] - m * (soft * speed + push), 0.0f);
+	if (separation <= 0.0f && bias) {
+		float kept = soft * speed + push > leaving ? 0.0f : (1.0f - soft) * cni_min(p->j[row], load);
+		return cni_max(soft * p->j[row] + kept - m * (soft * speed + push), 0.0f);
+	}
 	return cni_max(p->j[row] - m * (speed + cni_max(separation * s->inv_h, 0.0f)), 0.0f);
 }
 
@@ -351,11 +370,12 @@ static float row_target(const group_pass *q, int32_t contact, int32_t row)
 	const cni_heavy_contact *h = &q->heavies[contact];
 	const cni_direct_contact *p = &q->points[contact];
 	float m = q->mass[at(contact, row)], speed = q->speed[at(contact, row)], separation = q->separation[at(contact, row)];
+	float leaving = CNI_HEAVY_SLOW_STRESS * cni_length(q->world->settings.gravity) * q->s->h;
 	if (row == 2)
 		return q->pass == PASS_BOUNCE ? p->j[2] : friction_target(p, m, speed - h->tangent_speed);
 	if (q->pass == PASS_BOUNCE) /* what touches reaches its speed after the impact */
 		return separation > q->world->settings.slop ? p->j[row] : cni_max(p->j[row] + m * (h->bounce[row] - speed), 0.0f);
-	return cni_min(cni_max(h->impulse_most, p->j[row]), normal_target(q->s, p, row, m, speed, separation, q->pass));
+	return cni_min(cni_max(h->impulse_most, p->j[row]), normal_target(q->s, p, row, h->load[row], leaving, m, speed, separation, q->pass));
 }
 
 /* Does the contact take part in this pass? */

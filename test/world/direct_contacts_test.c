@@ -454,6 +454,29 @@ static void light_arms_throw_no_heavy_boxes(void)
 	CHECK_LE("energy gained, by what the box weighs", gained, 0.01, "m");
 }
 
+/* Two boxes of 25 times the mass of the board below them stand on it, and it lies on the ground; a flywheel that it carries turns, so that nothing of
+   it is quiet. It would yield for as long as it bears them. */
+static void light_boards_bear_what_stands(void)
+{
+	scene s = scene_open(GRAVITY, 0, CN_SOLVER_AUTO);
+	const cn_filter nothing = { 1u, 0u, 0, 0 };
+	cn_body board = add_board(&s, 0.0, 0.1, 0.0), wheel = keep(&s, fixture_circle(s.world, CN_BODY_DYNAMIC, 1.2f, 0.1f, 0.3f, 0.6f, 0.0f));
+	cn_revolute_def def = revolute_def(board, at(0.7f, 0.0f), wheel, at(0.0f, 0.0f));
+	int32_t k;
+	weigh(&s, board, 10.0f);
+	must(cn_shape_set_filter(s.world, fixture_first_shape(s.world, wheel), &nothing), s.world, "cn_shape_set_filter");
+	def.base.flags |= CN_JOINT_MOTOR;
+	def.motor_speed_radps = 5.0f;
+	def.motor_torque_max_Nm = 1.0f;
+	s.joints[s.joint_count++] = make_revolute(s.world, &def);
+	keep(&s, fixture_floor(s.world, 0.6f, 0.0f));
+	for (k = 0; k < 2; ++k)
+		add_heavy_box(&s, 0.5f, 0.7f + (float)k, 50.0f);
+	fixture_step(s.world, 240);
+	CHECK_LE("overlap", fixture_penetration(s.world, s.bodies, s.body_count), 0.002, "m");
+	scene_close(&s);
+}
+
 /* A deck of 16 boards, each pinned to the next and to a stay, which is pinned to a body that moves at this speed, up or down; six boxes of 100 times a
    board's mass, each on boards of its own, fall 0.3 m onto it. They push through the same joints: one of them is as far from the others as their
    boards are. Returns the greatest overlap. */
@@ -510,6 +533,7 @@ int main(int argc, char **argv)
 	RUN(loaded_bridges_are_as_good_as_soft);
 	RUN(hard_stops_part_no_joints);
 	RUN(heavy_boxes_lie_on_light_boards);
+	RUN(light_boards_bear_what_stands);
 	RUN(heavy_boxes_share_a_deck);
 	RUN(boxes_bounce_off_jointed_boards);
 	RUN(light_arms_throw_no_heavy_boxes);
