@@ -7,10 +7,7 @@
  * a dense matrix: one solution of the joints' system for each row, once a step. Each pass, after the joints, solves the contacts in a few
  * Gauss-Seidel rounds with that matrix, and applies the sum of their impulses through the joints, which stay closed, by one solution.
  *
- * No step may be too long, or the impulses grow from pass to pass. The response is therefore found without motors and limits, which may
- * leave the active set. Two bodies of one component have at most the mass of free ones: beside their hinge it would be any. In the substeps
- * the joints turn away from the response: a turn by d changes the square root of a row's inverse mass by at most d times that of the free
- * bodies. Where that may be a large part, the response is found again.
+ * No step may be too long, or the impulses grow from pass to pass: direct/heavy_response.c.
  *
  * A contact yields, as soft ones do, by what it bears more than in the last step: a box at rest would sink in as far as the board below it is light.
  * The kernel's passes include these lanes. Their loads equal their impulses, so there they do not yield. Rolling resistance is the kernel's.
@@ -22,243 +19,12 @@
  * Reads systems of joints, lanes; writes impulses and loads of lanes, velocities, impulses of joint constraints.
  */
 #include "contacts/contacts.h"
-#include "direct/heavy_contacts.h"
+#include "direct/heavy_response.h"
 
 #include <string.h>
 
-#define INVERSE_MASS_LEAST 1e-4f /* of a row, as a part of that of the free bodies: less is rounding */
-
 /* Passes of a substep are numbered by their bias. */
 enum { PASS_BOUNCE = 2 };
-
-/* A group in one pass, or while its response is found. */
-typedef struct group_pass {
-	cn_world *world;
-	const cni_solve *s;
-	cni_sparse *sparse;
-	cni_heavy_group *g;
-	cni_component *c;
-	cni_heavy_contact *heavies; /* of the group */
-	int32_t count, pass;
-	cni_direct_contact *points; /* as in their lanes */
-	cni_lever *levers; /* of the rows: place at(contact, row) */
-	float *speed, *mass, *separation; /* ... in a pass; friction has no separation */
-} group_pass;
-
-static int32_t at(int32_t contact, int32_t row)
-{
-	return CNI_HEAVY_LANES * contact + row;
-}
-
-static void group_open(group_pass *q, cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_heavy_group *g)
-{
-	int32_t i, k;
-	q->world = world;
-	q->s = s;
-	q->sparse = sparse;
-	q->g = g;
-	q->c = &sparse->components[g->component];
-	q->heavies = sparse->heavies + g->begin;
-	q->count = g->end - g->begin;
-	q->points = sparse->heavy_points;
-	q->levers = (cni_lever *)(void *)(q->points + q->count);
-	q->speed = (float *)(void *)(q->levers + CNI_HEAVY_LANES * q->count);
-	q->mass = q->speed + CNI_HEAVY_LANES * q->count;
-	q->separation = q->mass + CNI_HEAVY_LANES * q->count;
-	for (i = 0; i < q->count; ++i) {
-		cni_direct_contact_read(world, cni_contact_at(world, q->heavies[i].contact), &q->points[i]);
-		for (k = 0; k < CNI_HEAVY_ROWS; ++k)
-			q->levers[at(i, k)] = cni_direct_contact_lever(&q->points[i], k);
-	}
-}
-
-static cni_motion *body_of(const group_pass *q, int32_t contact, int32_t side)
-{
-	return cni_motions(q->world) + (side ? q->points[contact].ib : q->points[contact].ia);
-}
-
-/* Speeds of all rows after an impulse of 1 in this one. */
-static float *response_of(const group_pass *q, int32_t contact, int32_t row)
-{
-	return q->g->response + (CNI_HEAVY_ROWS * contact + row) * CNI_HEAVY_LANES * q->count;
-}
-
-/* 0: it has no such row. */
-static float inverse_mass(const group_pass *q, int32_t contact, int32_t row)
-{
-	return q->points[contact].mass[row] > 0.0f ? response_of(q, contact, row)[at(contact, row)] : 0.0f;
-}
-
-/* 1: both of its bodies are of the component. */
-static int32_t is_inner(const group_pass *q, int32_t contact)
-{
-	return q->sparse->projection_of[q->points[contact].ia] == q->sparse->projection_of[q->points[contact].ib];
-}
-
-/* ---- changes of velocity ---- */
-
-static void velocity_clear(cni_motion *m)
-{
-	m->vx = m->vy = m->w = 0.0f;
-}
-
-static void velocity_add(cni_motion *m, const float *velocity)
-{
-	m->vx += velocity[0];
-	m->vy += velocity[1];
-	m->w += velocity[2];
-}
-
-static void velocities_clear(const group_pass *q)
-{
-	int32_t k;
-	for (k = q->c->body_begin; k < q->c->body_end; ++k)
-		velocity_clear(cni_motions(q->world) + q->sparse->bodies[k]);
-	for (k = 0; k < 2 * q->count; ++k)
-		velocity_clear(body_of(q, k >> 1, k & 1));
-}
-
-/* Sets the velocities of the component's bodies, and of those that touch them, aside, so that motions hold changes. A body that several
-   contacts have leaves its velocity with the first. */
-static void velocities_set_aside(const group_pass *q)
-{
-	int32_t k;
-	cni_direct_motions_save(q->world, q->sparse, q->c, 0);
-	for (k = q->c->body_begin; k < q->c->body_end; ++k)
-		velocity_clear(cni_motions(q->world) + q->sparse->bodies[k]);
-	for (k = 0; k < 2 * q->count; ++k) {
-		cni_motion *m = body_of(q, k >> 1, k & 1);
-		float *aside = q->heavies[k >> 1].aside[k & 1];
-		aside[0] = m->vx;
-		aside[1] = m->vy;
-		aside[2] = m->w;
-		velocity_clear(m);
-	}
-}
-
-/* Adds them to the changes. */
-static void velocities_return(const group_pass *q)
-{
-	int32_t k;
-	for (k = q->c->body_begin; k < q->c->body_end; ++k)
-		velocity_add(cni_motions(q->world) + q->sparse->bodies[k], &q->sparse->saved[k].vx);
-	for (k = 0; k < 2 * q->count; ++k)
-		velocity_add(body_of(q, k >> 1, k & 1), q->heavies[k >> 1].aside[k & 1]);
-}
-
-/* The change of a body's velocity; a kinematic body of a joint keeps its velocity in motions, and has none. */
-static const cni_motion *change_of(const group_pass *q, int32_t index)
-{
-	const cni_motion *m = cni_motions(q->world) + index;
-	return cni_motion_can_move(m) ? m : cni_motions(q->world); /* index 0 never moves */
-}
-
-/* Right sides of the joints against the changes. */
-static void sides_set(const group_pass *q)
-{
-	int32_t k;
-	for (k = q->c->begin; k < q->c->end; ++k) {
-		cni_node *n = &q->sparse->nodes[k];
-		cni_four_store(n->x, cni_four_scale(cni_levers_speed(&n->levers, change_of(q, n->ia), change_of(q, n->ib)), -1.0f));
-	}
-}
-
-/* Adds what the joints do to the changes; nothing where they have no finite solution. */
-static void joints_answer(const group_pass *q)
-{
-	int32_t k;
-	sides_set(q);
-	if (!cni_sparse_solve(q->sparse, q->c))
-		return;
-	for (k = q->c->begin; k < q->c->end; ++k) {
-		const cni_node *n = &q->sparse->nodes[k];
-		cni_levers_push(&n->levers, n->x, cni_motions(q->world) + n->ia, cni_motions(q->world) + n->ib, q->c->width);
-	}
-}
-
-/* Speeds of all rows, times `part`. */
-static void speeds_read(const group_pass *q, float part, float *out)
-{
-	int32_t i, k;
-	for (i = 0; i < q->count; ++i)
-		for (k = 0; k < CNI_HEAVY_LANES; ++k)
-			out[at(i, k)] = k < CNI_HEAVY_ROWS ? part * cni_lever_speed(&q->levers[at(i, k)], body_of(q, i, 0), body_of(q, i, 1)) : 0.0f;
-}
-
-static void row_push(const group_pass *q, int32_t contact, int32_t row, float impulse)
-{
-	if (impulse != 0.0f)
-		cni_lever_push(&q->levers[at(contact, row)], impulse, body_of(q, contact, 0), body_of(q, contact, 1));
-}
-
-/* ---- the response of the joints ---- */
-
-/* How far the body's turn moves the levers of a pin at this arm, as a part of the body's own; a wheel that spins about its centre moves none. */
-static float levers_turn(const cni_motion *m, cni_vec2 arm, int32_t pins)
-{
-	float part = pins && m->inv_mass > 0.0f ? cni_min(cni_length(arm) * cni_sqrt(m->inv_inertia / m->inv_mass), 1.0f) : 1.0f;
-	return part * cni_abs(m->theta);
-}
-
-/* The farthest turn of the component's levers in this step. */
-static float turn_of(const group_pass *q)
-{
-	float most = 0.0f;
-	int32_t k;
-	for (k = q->c->begin; k < q->c->end; ++k) {
-		const cni_joint_constraint *w = cni_joint_constraints(q->world) + q->sparse->nodes[k].owner;
-		int32_t type = w->record->type, pins = type == CN_JOINT_REVOLUTE || type == CN_JOINT_FIXED;
-		most = cni_max(most, levers_turn(cni_motions(q->world) + w->ia, w->start.ra, pins));
-		most = cni_max(most, levers_turn(cni_motions(q->world) + w->ib, w->start.rb, pins || type == CN_JOINT_WHEEL));
-	}
-	return most;
-}
-
-static void column_find(const group_pass *q, int32_t contact, int32_t row)
-{
-	const cni_direct_contact *p = &q->points[contact];
-	float *column = response_of(q, contact, row), *own = &column[at(contact, row)], mass = p->mass[row];
-	float least = is_inner(q, contact) ? 1.0f : INVERSE_MASS_LEAST;
-	velocities_clear(q);
-	row_push(q, contact, row, mass);
-	joints_answer(q);
-	speeds_read(q, 1.0f / mass, column);
-	*own = cni_max(*own, least / mass);
-	q->g->turn_most = cni_min(q->g->turn_most, CNI_HEAVY_TURN_PART * cni_sqrt(mass * *own));
-}
-
-/* A contact that is pressed harder than impulse_most is pressed by what cannot give way, and its impulse would grow from pass to pass:
-   beyond, the kernel alone raises it, as if the joints were not there. */
-static void impulse_bounds_find(const group_pass *q)
-{
-	float mass = 0.0f;
-	int32_t k;
-	for (k = q->c->body_begin; k < q->c->body_end; ++k)
-		mass += cni_inverse_or_zero(cni_motions(q->world)[q->sparse->bodies[k]].inv_mass);
-	for (k = 0; k < q->count; ++k)
-		q->heavies[k].impulse_most = CNI_HEAVY_SPEED_MOST * q->world->settings.push_speed_max *
-			(mass + cni_inverse_or_zero(body_of(q, k, 0)->inv_mass) + cni_inverse_or_zero(body_of(q, k, 1)->inv_mass));
-}
-
-static void response_find(const group_pass *q)
-{
-	int32_t k, active = q->c->active;
-	if (active) {
-		cni_active_clear(q->sparse, q->c);
-		cni_sparse_factor(q->sparse, q->c, cni_motions(q->world));
-	}
-	impulse_bounds_find(q);
-	q->g->turn_most = FLT_MAX;
-	velocities_set_aside(q);
-	for (k = 0; k < CNI_HEAVY_ROWS * q->count; ++k)
-		if (q->points[k / CNI_HEAVY_ROWS].mass[k % CNI_HEAVY_ROWS] > 0.0f)
-			column_find(q, k / CNI_HEAVY_ROWS, k % CNI_HEAVY_ROWS);
-	velocities_clear(q);
-	velocities_return(q);
-	q->g->turn_most += turn_of(q);
-	if (active)
-		cni_direct_system(q->world, q->s, q->sparse, q->c);
-}
 
 /* ---- groups ---- */
 
@@ -305,33 +71,33 @@ static void groups_take(cn_world *world, cni_sparse *sparse)
 }
 
 /* Do the joints bear an impact with it? */
-static int32_t is_borne(const group_pass *q, int32_t contact)
+static int32_t is_borne(const cni_heavy_pass *q, int32_t contact)
 {
 	int32_t k;
 	for (k = 0; k < 2; ++k)
-		if (q->points[contact].mass[k] > 0.0f && q->points[contact].mass[k] * inverse_mass(q, contact, k) < CNI_HEAVY_BOUNCE_PART)
+		if (q->points[contact].mass[k] > 0.0f && q->points[contact].mass[k] * cni_heavy_inverse_mass(q, contact, k) < CNI_HEAVY_BOUNCE_PART)
 			return 1;
 	return 0;
 }
 
 /* A chain that winds up on a drum of its own yields as others do: each link that arrives would pluck it. */
-static void load_read(const group_pass *q, int32_t contact)
+static void load_read(const cni_heavy_pass *q, int32_t contact)
 {
 	int32_t k;
 	for (k = 0; k < 2; ++k)
-		q->heavies[contact].load[k] = is_inner(q, contact) ? 0.0f : q->points[contact].j[k];
+		q->heavies[contact].load[k] = cni_heavy_is_inner(q, contact) ? 0.0f : q->points[contact].j[k];
 }
 
 void cni_heavy_contacts_find(cn_world *world, const cni_solve *s, cni_sparse *sparse)
 {
-	group_pass q;
+	cni_heavy_pass q;
 	int32_t k, i;
 	groups_take(world, sparse);
 	for (k = 0; k < sparse->heavy_group_count; ++k) {
-		group_open(&q, world, s, sparse, &sparse->heavy_groups[k]);
+		cni_heavy_pass_open(&q, world, s, sparse, &sparse->heavy_groups[k]);
 		if (q.c->batches)
 			cni_tree_lane_system(s, q.c);
-		response_find(&q);
+		cni_heavy_response_find(&q);
 		for (i = 0; i < q.count; ++i) {
 			load_read(&q, i);
 			q.heavies[i].is_left = (uint8_t)(q.heavies[i].is_light && !is_borne(&q, i));
@@ -365,11 +131,11 @@ static float friction_target(const cni_direct_contact *p, float m, float speed)
 	return cni_clamp(target, -most, most);
 }
 
-static float row_target(const group_pass *q, int32_t contact, int32_t row)
+static float row_target(const cni_heavy_pass *q, int32_t contact, int32_t row)
 {
 	const cni_heavy_contact *h = &q->heavies[contact];
 	const cni_direct_contact *p = &q->points[contact];
-	float m = q->mass[at(contact, row)], speed = q->speed[at(contact, row)], separation = q->separation[at(contact, row)];
+	float m = q->mass[cni_heavy_at(contact, row)], speed = q->speed[cni_heavy_at(contact, row)], separation = q->separation[cni_heavy_at(contact, row)];
 	float leaving = CNI_HEAVY_SLOW_STRESS * cni_length(q->world->settings.gravity) * q->s->h;
 	if (row == 2)
 		return q->pass == PASS_BOUNCE ? p->j[2] : friction_target(p, m, speed - h->tangent_speed);
@@ -379,26 +145,26 @@ static float row_target(const group_pass *q, int32_t contact, int32_t row)
 }
 
 /* Does the contact take part in this pass? */
-static int32_t takes_part(const group_pass *q, int32_t contact)
+static int32_t takes_part(const cni_heavy_pass *q, int32_t contact)
 {
 	const cni_heavy_contact *h = &q->heavies[contact];
 	return !h->is_left && (q->pass != PASS_BOUNCE || (h->is_hit && cni_heavy_bounces(h)));
 }
 
 /* Less is rounding. */
-static float speed_least(const group_pass *q)
+static float speed_least(const cni_heavy_pass *q)
 {
 	return CNI_DIRECT_SPEED_LEAST * q->world->settings.length_unit;
 }
 
 /* Returns 1 where impulses changed by more than rounding. */
-static int32_t contact_rows_solve(group_pass *q, int32_t contact)
+static int32_t contact_rows_solve(cni_heavy_pass *q, int32_t contact)
 {
 	cni_direct_contact *p = &q->points[contact];
 	float least = speed_least(q);
 	int32_t row, k, changed = 0;
 	for (row = 0; row < CNI_HEAVY_ROWS; ++row) {
-		const float *column = response_of(q, contact, row);
+		const float *column = cni_heavy_column(q, contact, row);
 		float target, change;
 		if (p->mass[row] <= 0.0f)
 			continue;
@@ -407,7 +173,7 @@ static int32_t contact_rows_solve(group_pass *q, int32_t contact)
 		p->j[row] = target;
 		if (change == 0.0f)
 			continue;
-		changed |= cni_abs(change) > least * q->mass[at(contact, row)];
+		changed |= cni_abs(change) > least * q->mass[cni_heavy_at(contact, row)];
 		for (k = 0; k < CNI_HEAVY_LANES * q->count; k += CNI_HEAVY_LANES)
 			cni_four_store(q->speed + k, cni_four_add(cni_four_load(q->speed + k), cni_four_scale(cni_four_load(column + k), change)));
 	}
@@ -415,32 +181,32 @@ static int32_t contact_rows_solve(group_pass *q, int32_t contact)
 }
 
 /* 1: the change of impulse is more than rounding: a contact at rest costs no solution of the joints. */
-static int32_t changes_speed(const group_pass *q, int32_t contact)
+static int32_t changes_speed(const cni_heavy_pass *q, int32_t contact)
 {
 	const cni_direct_contact *p = &q->points[contact];
 	float least = speed_least(q);
 	int32_t k;
 	for (k = 0; k < CNI_HEAVY_ROWS; ++k)
-		if (p->mass[k] > 0.0f && !(cni_abs(p->j[k] - p->first[k]) <= least * q->mass[at(contact, k)]))
+		if (p->mass[k] > 0.0f && !(cni_abs(p->j[k] - p->first[k]) <= least * q->mass[cni_heavy_at(contact, k)]))
 			return 1;
 	return 0;
 }
 
 /* Speeds, masses and separations before the impulses of a pass. */
-static void rows_begin(const group_pass *q)
+static void rows_begin(const cni_heavy_pass *q)
 {
 	int32_t i, k;
-	speeds_read(q, 1.0f, q->speed);
+	cni_heavy_speeds(q, 1.0f, q->speed);
 	for (i = 0; i < q->count; ++i) {
 		for (k = 0; k < CNI_HEAVY_ROWS; ++k) {
-			q->mass[at(i, k)] = cni_inverse_or_zero(inverse_mass(q, i, k));
-			q->separation[at(i, k)] = k < 2 ? cni_direct_contact_separation(&q->points[i], k, body_of(q, i, 0), body_of(q, i, 1)) : 0.0f;
+			q->mass[cni_heavy_at(i, k)] = cni_inverse_or_zero(cni_heavy_inverse_mass(q, i, k));
+			q->separation[cni_heavy_at(i, k)] = k < 2 ? cni_direct_contact_separation(&q->points[i], k, cni_heavy_body(q, i, 0), cni_heavy_body(q, i, 1)) : 0.0f;
 		}
 	}
 }
 
 /* Finds the impulses of all contacts. Returns 0 where they change nothing. */
-static int32_t impulses_find(group_pass *q)
+static int32_t impulses_find(cni_heavy_pass *q)
 {
 	int32_t round, k, changed = 1;
 	rows_begin(q);
@@ -458,22 +224,22 @@ static int32_t impulses_find(group_pass *q)
 	return changed;
 }
 
-static void impulses_push(const group_pass *q, float sign)
+static void impulses_push(const cni_heavy_pass *q, float sign)
 {
 	int32_t i, k;
 	for (i = 0; i < q->count; ++i)
 		for (k = 0; k < CNI_HEAVY_ROWS; ++k)
-			row_push(q, i, k, sign * (q->points[i].j[k] - q->points[i].first[k]));
+			cni_heavy_push(q, i, k, sign * (q->points[i].j[k] - q->points[i].first[k]));
 }
 
 /* Applies them through the joints. Where these have no solution their impulses are taken back: some cancel each other by the joints alone. */
-static void impulses_apply(group_pass *q)
+static void impulses_apply(cni_heavy_pass *q)
 {
 	int32_t i;
-	velocities_set_aside(q);
+	cni_heavy_set_aside(q);
 	impulses_push(q, 1.0f);
-	sides_set(q);
-	velocities_return(q);
+	cni_heavy_sides_set(q);
+	cni_heavy_return(q);
 	if (cni_direct_apply(q->world, q->sparse, q->c)) {
 		if (q->c->batches)
 			cni_tree_lane_add(q->s, q->c);
@@ -485,7 +251,7 @@ static void impulses_apply(group_pass *q)
 		memcpy(q->points[i].j, q->points[i].first, sizeof q->points[i].j);
 }
 
-static void lane_write(const group_pass *q, int32_t contact)
+static void lane_write(const cni_heavy_pass *q, int32_t contact)
 {
 	const cni_direct_contact *p = &q->points[contact];
 	cni_contact_block *block = cni_block_at(q->world, p->block);
@@ -498,16 +264,16 @@ static void lane_write(const group_pass *q, int32_t contact)
 
 static void group_solve(cn_world *world, const cni_solve *s, cni_heavy_group *g, int32_t bias)
 {
-	group_pass q;
+	cni_heavy_pass q;
 	int32_t k;
 	if (s->direct->components[g->component].done)
 		return;
-	group_open(&q, world, s, s->direct, g);
+	cni_heavy_pass_open(&q, world, s, s->direct, g);
 	q.pass = bias;
 	if (q.c->batches && !bias)
 		cni_tree_lane_system(s, q.c);
-	if (!bias && turn_of(&q) > g->turn_most)
-		response_find(&q);
+	if (!bias && cni_heavy_turn(&q) > g->turn_most)
+		cni_heavy_response_find(&q);
 	if (impulses_find(&q))
 		impulses_apply(&q);
 	for (k = 0; k < q.count; ++k)
@@ -527,13 +293,13 @@ void cni_heavy_contacts_solve(cn_world *world, const cni_solve *s, int32_t bias)
 /* The impulses are no loads: they do not stay in the lanes. */
 static void group_bounce(cn_world *world, const cni_solve *s, cni_heavy_group *g)
 {
-	group_pass q;
+	cni_heavy_pass q;
 	int32_t k, bouncing = 0;
 	for (k = g->begin; k < g->end; ++k)
 		bouncing |= s->direct->heavies[k].is_hit && cni_heavy_bounces(&s->direct->heavies[k]);
 	if (!bouncing || s->direct->components[g->component].done)
 		return;
-	group_open(&q, world, s, s->direct, g);
+	cni_heavy_pass_open(&q, world, s, s->direct, g);
 	q.pass = PASS_BOUNCE;
 	for (k = 0; k < q.count; ++k) {
 		memset(q.points[k].j, 0, sizeof q.points[k].j);
