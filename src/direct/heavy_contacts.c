@@ -80,12 +80,15 @@ static int32_t is_borne(const cni_heavy_pass *q, int32_t contact)
 	return 0;
 }
 
-/* A chain that winds up on a drum of its own yields as others do: each link that arrives would pluck it. */
+/* What the contact bore in the last step, up to a number of weights of all that it could bear: more is a squeeze. A chain that winds up on a drum of
+   its own yields as others do: each link that arrives would pluck it. */
 static void load_read(const cni_heavy_pass *q, int32_t contact)
 {
+	cni_heavy_contact *h = &q->heavies[contact];
+	float most = CNI_HEAVY_CONTACT_STRESS * cni_length(q->world->settings.gravity) * q->s->h * h->mass;
 	int32_t k;
 	for (k = 0; k < 2; ++k)
-		q->heavies[contact].load[k] = cni_heavy_is_inner(q, contact) ? 0.0f : q->points[contact].j[k];
+		h->load[k] = cni_heavy_is_inner(q, contact) ? 0.0f : cni_min(q->points[contact].j[k], most);
 }
 
 void cni_heavy_contacts_find(cn_world *world, const cni_solve *s, cni_sparse *sparse)
@@ -131,17 +134,19 @@ static float friction_target(const cni_direct_contact *p, float m, float speed)
 	return cni_clamp(target, -most, most);
 }
 
+/* A contact that is pressed harder than `most` is pressed by what cannot give way, and its impulse would grow from pass to pass: beyond, the
+   kernel alone raises it, as if the joints were not there. */
 static float row_target(const cni_heavy_pass *q, int32_t contact, int32_t row)
 {
 	const cni_heavy_contact *h = &q->heavies[contact];
 	const cni_direct_contact *p = &q->points[contact];
 	float m = q->mass[cni_heavy_at(contact, row)], speed = q->speed[cni_heavy_at(contact, row)], separation = q->separation[cni_heavy_at(contact, row)];
-	float leaving = CNI_HEAVY_SLOW_STRESS * cni_length(q->world->settings.gravity) * q->s->h;
+	float leaving = CNI_HEAVY_SLOW_STRESS * cni_length(q->world->settings.gravity) * q->s->h, most = CNI_HEAVY_SPEED_MOST * q->world->settings.push_speed_max * h->mass;
 	if (row == 2)
 		return q->pass == PASS_BOUNCE ? p->j[2] : friction_target(p, m, speed - h->tangent_speed);
 	if (q->pass == PASS_BOUNCE) /* what touches reaches its speed after the impact */
 		return separation > q->world->settings.slop ? p->j[row] : cni_max(p->j[row] + m * (h->bounce[row] - speed), 0.0f);
-	return cni_min(cni_max(h->impulse_most, p->j[row]), normal_target(q->s, p, row, h->load[row], leaving, m, speed, separation, q->pass));
+	return cni_min(cni_max(most, p->j[row]), normal_target(q->s, p, row, h->load[row], leaving, m, speed, separation, q->pass));
 }
 
 /* Does the contact take part in this pass? */

@@ -14,8 +14,8 @@
 
 typedef struct cni_heavy_contact {
 	int32_t component, contact;
-	float impulse_most; /* N s, of a normal row */
-	float load[2]; /* ..., of the last step: up to these the points do not yield */
+	float mass; /* kg: its bodies and all of the component */
+	float load[2]; /* N s: up to these impulses the points do not yield */
 	float tangent_speed; /* of a conveyor */
 	float bounce[2]; /* m/s: speed of each point after its impact; 0: it does not bounce in this step */
 	float restitution; /* of its lane, which has none during the substeps */

@@ -161,17 +161,14 @@ static void column_find(const cni_heavy_pass *q, int32_t contact, int32_t row)
 	q->g->turn_most = cni_min(q->g->turn_most, CNI_HEAVY_TURN_PART * cni_sqrt(mass * *own));
 }
 
-/* A contact that is pressed harder than impulse_most is pressed by what cannot give way, and its impulse would grow from pass to pass:
-   beyond, the kernel alone raises it, as if the joints were not there. */
-static void impulse_bounds_find(const cni_heavy_pass *q)
+static void masses_find(const cni_heavy_pass *q)
 {
 	float mass = 0.0f;
 	int32_t k;
 	for (k = q->c->body_begin; k < q->c->body_end; ++k)
 		mass += cni_inverse_or_zero(cni_motions(q->world)[q->sparse->bodies[k]].inv_mass);
 	for (k = 0; k < q->count; ++k)
-		q->heavies[k].impulse_most = CNI_HEAVY_SPEED_MOST * q->world->settings.push_speed_max *
-			(mass + cni_inverse_or_zero(cni_heavy_body(q, k, 0)->inv_mass) + cni_inverse_or_zero(cni_heavy_body(q, k, 1)->inv_mass));
+		q->heavies[k].mass = mass + cni_inverse_or_zero(cni_heavy_body(q, k, 0)->inv_mass) + cni_inverse_or_zero(cni_heavy_body(q, k, 1)->inv_mass);
 }
 
 void cni_heavy_response_find(const cni_heavy_pass *q)
@@ -181,7 +178,7 @@ void cni_heavy_response_find(const cni_heavy_pass *q)
 		cni_active_clear(q->sparse, q->c);
 		cni_sparse_factor(q->sparse, q->c, cni_motions(q->world));
 	}
-	impulse_bounds_find(q);
+	masses_find(q);
 	q->g->turn_most = FLT_MAX;
 	cni_heavy_set_aside(q);
 	for (k = 0; k < CNI_HEAVY_ROWS * q->count; ++k)

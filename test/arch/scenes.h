@@ -21,11 +21,11 @@ static const arch_scene arch_scenes[ARCH_SCENES] = {
 	{ "shapes", scene_shapes, 0x4cbfae011f1d3379 },
 	{ "joints", scene_joints, 0xf556e3847e4d26db },
 	{ "direct", scene_direct, 0xb8403cf4b7140a7d },
-	{ "tiers", scene_tiers, 0x50e2125aa2f1b760 },
+	{ "tiers", scene_tiers, 0xb0231de3111f5683 },
 	{ "sequential", scene_sequential, 0x8420c332fa1de2a4 },
 	{ "queries", scene_queries, 0xb79cb4644a093b1c },
 	{ "events", scene_events, 0x3635ddb42e4e2c6a },
-	{ "file", scene_file, 0x8b7f76b3f53d502b },
+	{ "file", scene_file, 0x557ef000746f5072 },
 };
 
 /* The number of a scene; 0 if a call failed: arch_failed_line. */

@@ -24,11 +24,11 @@ typedef struct golden {
 
 /* clang-format off */
 static const golden goldens[] = {
-	{ "falling_hinges", 480, 1, 0x33c2ada0a3f81c71 },
+	{ "falling_hinges", 480, 1, 0xd32ace8802f12e6c },
 	{ "small_200", 300, 1, 0x87ecd5330aaa86da },
 	{ "small_50_sleep", 600, 1, 0x71eccb9d1bba6197 },
 	{ "dominoes", 400, 1, 0x1b40e5f4ad59c08c },
-	{ "ragdolls", 480, 1, 0xb21c683e5ed5aac5 },
+	{ "ragdolls", 480, 1, 0xee523d9e3087c78d },
 	{ "bridge", 240, 1, 0xfd2ab847542b0645 },
 	{ "car", 400, 1, 0xdf852f098ed22321 },
 	{ "mixer", 240, 1, 0x12d6eb74fe74d818 },

@@ -454,7 +454,7 @@ static void light_arms_throw_no_heavy_boxes(void)
 	CHECK_LE("energy gained, by what the box weighs", gained, 0.01, "m");
 }
 
-/* Two boxes of 25 times the mass of the board below them stand on it, and it lies on the ground; a flywheel that it carries turns, so that nothing of
+/* Two boxes of 6 times the mass of the board below them stand on it, and it lies on the ground; a flywheel that it carries turns, so that nothing of
    it is quiet. It would yield for as long as it bears them. */
 static void light_boards_bear_what_stands(void)
 {
@@ -471,9 +471,9 @@ static void light_boards_bear_what_stands(void)
 	s.joints[s.joint_count++] = make_revolute(s.world, &def);
 	keep(&s, fixture_floor(s.world, 0.6f, 0.0f));
 	for (k = 0; k < 2; ++k)
-		add_heavy_box(&s, 0.5f, 0.7f + (float)k, 50.0f);
+		add_heavy_box(&s, 0.5f, 0.7f + (float)k, 12.0f);
 	fixture_step(s.world, 240);
-	CHECK_LE("overlap", fixture_penetration(s.world, s.bodies, s.body_count), 0.002, "m");
+	CHECK_LE("overlap", fixture_penetration(s.world, s.bodies, s.body_count), 0.0005, "m");
 	scene_close(&s);
 }
 
