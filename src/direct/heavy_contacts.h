@@ -33,10 +33,19 @@ typedef struct cni_heavy_group {
 	float *response;    /* for each row: speeds of all rows after an impulse of 1 in it */
 } cni_heavy_group;
 
-/* Scratch memory: of a contact at work; a bound on all, as each contact may be a group, and one group may have all. */
-#define CNI_HEAVY_POINT_BYTES (sizeof(cni_direct_contact) + CNI_HEAVY_LANES * (sizeof(cni_lever) + 3 * sizeof(float)))
-#define CNI_HEAVY_BYTES (CNI_HEAVY_CONTACTS_MOST * (sizeof(cni_heavy_contact) + sizeof(cni_heavy_group) + CNI_HEAVY_POINT_BYTES + \
-	CNI_HEAVY_ROWS * CNI_HEAVY_LANES * CNI_HEAVY_CONTACTS_MOST * sizeof(float)) + 48)
+#define CNI_HEAVY_POINT_BYTES (sizeof(cni_direct_contact) + CNI_HEAVY_LANES * (sizeof(cni_lever) + 3 * sizeof(float))) /* of a contact at work */
+
+/* Room for them in a step with this number of touching contacts: those of two bodies of components may be listed at both. */
+static inline int32_t cni_heavy_contacts_room(int32_t touching)
+{
+	return cni_min_i(touching, CNI_HEAVY_CONTACTS_MOST / 2) * 2;
+}
+/* Bound on their scratch memory: each may be a group, and one group may have CNI_HEAVY_COMPONENT_MOST. */
+static inline uint64_t cni_heavy_bytes(int32_t touching)
+{
+	return (sizeof(cni_heavy_contact) + sizeof(cni_heavy_group) + CNI_HEAVY_POINT_BYTES + CNI_HEAVY_ROWS * CNI_HEAVY_LANES * sizeof(float) * (uint64_t)CNI_HEAVY_COMPONENT_MOST) *
+		(uint64_t)cni_heavy_contacts_room(touching) + 48;
+}
 
 static inline int32_t cni_heavy_bounces(const cni_heavy_contact *h) { return h->bounce[0] + h->bounce[1] > 0.0f; }
 

@@ -154,7 +154,7 @@ int32_t cni_heavy_contacts_list(const cn_world *world, const cni_solve *s, cni_s
 	batchable = is_batchable(sparse, c);
 	ratio = batchable ? CNI_SELECTION_MASS_RATIO : 1.0f; /* else only bodies that may crush its own: ragdolls would take 4 times as long as soft ones instead of 2.1 times */
 	slow = is_slow(world, sparse, c, batchable);
-	most = cni_min_i(first + cni_heavy_contacts_most(sparse, c), CNI_HEAVY_CONTACTS_MOST);
+	most = cni_min_i(first + cni_heavy_contacts_most(sparse, c), cni_heavy_contacts_room(world->touching_count));
 	for (k = c->body_begin; k < c->body_end; ++k)
 		if (cni_externals(world)[sparse->bodies[k]].flags & CNI_EXTERNAL_TOUCHED)
 			body_contacts_list(world, s, sparse, component, sparse->bodies[k], ratio, most, slow);
