@@ -80,6 +80,16 @@ static int32_t is_borne(const cni_heavy_pass *q, int32_t contact)
 	return 0;
 }
 
+static void masses_find(const cni_heavy_pass *q)
+{
+	float mass = 0.0f;
+	int32_t k;
+	for (k = q->c->body_begin; k < q->c->body_end; ++k)
+		mass += cni_inverse_or_zero(cni_motions(q->world)[q->sparse->bodies[k]].inv_mass);
+	for (k = 0; k < q->count; ++k)
+		q->heavies[k].mass = mass + cni_inverse_or_zero(cni_heavy_body(q, k, 0)->inv_mass) + cni_inverse_or_zero(cni_heavy_body(q, k, 1)->inv_mass);
+}
+
 /* What the contact bore in the last step, up to a number of weights of all that it could bear: more is a squeeze. A chain that winds up on a drum of
    its own yields as others do: each link that arrives would pluck it. */
 static void load_read(const cni_heavy_pass *q, int32_t contact)
@@ -101,6 +111,7 @@ void cni_heavy_contacts_find(cn_world *world, const cni_solve *s, cni_sparse *sp
 		if (q.c->batches)
 			cni_tree_lane_system(s, q.c);
 		cni_heavy_response_find(&q);
+		masses_find(&q);
 		for (i = 0; i < q.count; ++i) {
 			load_read(&q, i);
 			q.heavies[i].is_left = (uint8_t)(q.heavies[i].is_light && !is_borne(&q, i));

@@ -128,11 +128,14 @@ void cni_heavy_push(const cni_heavy_pass *q, int32_t contact, int32_t row, float
 
 /* ---- the response of the joints ---- */
 
-/* How far the body's turn moves the levers of a pin at this arm, as a part of the body's own; a wheel that spins about its centre moves none. */
-static float levers_turn(const cni_motion *m, cni_vec2 arm, int32_t pins)
+/* The larger of `most` and how far the body's turn moves the levers of a joint at this arm. That is at most the turn itself; of pins in the part that
+   the arm has of the radius of gyration: a wheel that spins about its centre moves none. */
+static float levers_turn(const cni_motion *m, cni_vec2 arm, int32_t pins, float most)
 {
-	float part = pins && m->inv_mass > 0.0f ? cni_min(cni_length(arm) * cni_sqrt(m->inv_inertia / m->inv_mass), 1.0f) : 1.0f;
-	return part * cni_abs(m->theta);
+	float turn = cni_abs(m->theta);
+	if (turn <= most || !pins || !(m->inv_mass > 0.0f))
+		return cni_max(turn, most);
+	return cni_max(turn * cni_min(cni_length(arm) * cni_sqrt(m->inv_inertia / m->inv_mass), 1.0f), most);
 }
 
 float cni_heavy_turn(const cni_heavy_pass *q)
@@ -142,8 +145,8 @@ float cni_heavy_turn(const cni_heavy_pass *q)
 	for (k = q->c->begin; k < q->c->end; ++k) {
 		const cni_joint_constraint *w = cni_joint_constraints(q->world) + q->sparse->nodes[k].owner;
 		int32_t type = w->record->type, pins = type == CN_JOINT_REVOLUTE || type == CN_JOINT_FIXED;
-		most = cni_max(most, levers_turn(cni_motions(q->world) + w->ia, w->start.ra, pins));
-		most = cni_max(most, levers_turn(cni_motions(q->world) + w->ib, w->start.rb, pins || type == CN_JOINT_WHEEL));
+		most = levers_turn(cni_motions(q->world) + w->ia, w->start.ra, pins, most);
+		most = levers_turn(cni_motions(q->world) + w->ib, w->start.rb, pins || type == CN_JOINT_WHEEL, most);
 	}
 	return most;
 }
@@ -161,16 +164,6 @@ static void column_find(const cni_heavy_pass *q, int32_t contact, int32_t row)
 	q->g->turn_most = cni_min(q->g->turn_most, CNI_HEAVY_TURN_PART * cni_sqrt(mass * *own));
 }
 
-static void masses_find(const cni_heavy_pass *q)
-{
-	float mass = 0.0f;
-	int32_t k;
-	for (k = q->c->body_begin; k < q->c->body_end; ++k)
-		mass += cni_inverse_or_zero(cni_motions(q->world)[q->sparse->bodies[k]].inv_mass);
-	for (k = 0; k < q->count; ++k)
-		q->heavies[k].mass = mass + cni_inverse_or_zero(cni_heavy_body(q, k, 0)->inv_mass) + cni_inverse_or_zero(cni_heavy_body(q, k, 1)->inv_mass);
-}
-
 void cni_heavy_response_find(const cni_heavy_pass *q)
 {
 	int32_t k, active = q->c->active;
@@ -178,7 +171,6 @@ void cni_heavy_response_find(const cni_heavy_pass *q)
 		cni_active_clear(q->sparse, q->c);
 		cni_sparse_factor(q->sparse, q->c, cni_motions(q->world));
 	}
-	masses_find(q);
 	q->g->turn_most = FLT_MAX;
 	cni_heavy_set_aside(q);
 	for (k = 0; k < CNI_HEAVY_ROWS * q->count; ++k)

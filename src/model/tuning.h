@@ -216,7 +216,8 @@ CNI_TUNING_FLOAT(CNI_STIFFNESS_XI_MAX, 1.0f)
 /* Radians in a substep. Joints of bodies that turn farther may open, as the arms leave the tangent: they are projected. */
 CNI_TUNING_FLOAT(CNI_PROJECTION_TURN_RAD, 0.02f)
 /* Own weights of the lighter body. Contacts that bear less in a substep are left to the kernel, where they yield by 3 mm at most at 240
-   substeps a second. With 0 mechanisms take 4.1 times as long as soft ones, with 10 3.8 times. */
+   substeps a second. With 0 mechanisms take 4.1 times as long as soft ones, with 10 3.8 times. Also the most weights of its bodies and all that
+   joints connect with them that a contact may keep as its load: with 60 parts that are pulled are thrown in 21 of 1,320 seeds instead of 15. */
 CNI_TUNING_FLOAT(CNI_HEAVY_CONTACT_STRESS, 10.0f)
 /* The same of contacts with static bodies. With 100 loaded chains in heaps overlap by 13% more, as links that the ground does not let yield
    press on others; with 1000 ropes over pegs gain half as much. */
