@@ -40,9 +40,9 @@ WERROR ?= -Werror
 ifeq ($(origin CC),default)
 CC := gcc
 endif
-# Tests take the user's CFLAGS if there are any, else a quick and debuggable build.
+# Tests take the user's CFLAGS if there are any, else a build that compiles soon and knows its lines (TEST_CFLAGS='-O0 -g': variables too).
 ifndef TEST_CFLAGS
-TEST_CFLAGS := $(if $(CFLAGS),$(CFLAGS),-O1 -g)
+TEST_CFLAGS := $(if $(CFLAGS),$(CFLAGS),-O1 -g1)
 endif
 TEST_DEFINES ?= -DCNI_DEBUG
 CFLAGS ?= -O3

@@ -142,7 +142,7 @@ static void fill_random(scene *s, uint32_t seed)
 	}
 }
 
-#define RANDOM_SEEDS 30
+#define RANDOM_SEEDS TEST_MANY(20)
 #define RANDOM_STEPS 150
 
 /* As parts of the energy at the start: the most there was, and the most that came back after a low. */

@@ -203,7 +203,7 @@ static int32_t pairs_off(churn *c, ledger *l)
 static void changing_masks_keep_pairs_bookended(void)
 {
 	uint32_t seed;
-	for (seed = 1; seed <= 20; ++seed) {
+	for (seed = 1; seed <= 10; ++seed) {
 		static churn c;
 		int32_t step, off = 0;
 		uint64_t stream = 0;

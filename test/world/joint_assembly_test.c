@@ -82,7 +82,7 @@ static void grid_of_10000_bodies_keeps_its_anchors(void)
 #ifdef TEST_SLOW
 	const int32_t steps = 2;
 #else
-	const int32_t steps = 120;
+	const int32_t steps = 60;
 #endif
 	enum { SIDE = 100 };
 	static cn_body balls[SIDE][SIDE];

@@ -14,7 +14,7 @@
 #define SPINNER_STEPS 3
 #else
 #define STEPS 24
-#define SPINNER_STEPS 8
+#define SPINNER_STEPS 4
 #endif
 #define SIDE_M 34.0f
 
