@@ -60,7 +60,7 @@ uint64_t cni_direct_bytes(int32_t solver, int32_t joints, int32_t contacts, int3
 	if (links == 0 || solver == CN_SOLVER_SOFT || solver == CN_SOLVER_SEQUENTIAL)
 		return 0;
 	return cni_tree_batch_bytes(joints) + link * (uint64_t)links + (sizeof(cni_direct_contact) + sizeof(int32_t)) * (uint64_t)taken +
-	       2 * sizeof(cni_marked_lanes) * (uint64_t)contacts + (sizeof(float) + sizeof(cni_rot) + sizeof(int32_t)) * (uint64_t)(bodies + 1) + 896 + cni_heavy_bytes(contacts) + cni_sparse_bytes(links, bodies + 1, work);
+	       2 * sizeof(cni_marked_lanes) * (uint64_t)contacts + (sizeof(float) + sizeof(cni_rot) + sizeof(int32_t)) * (uint64_t)(bodies + 1) + 896 + cni_heavy_bytes(contacts, links) + cni_sparse_bytes(links, bodies + 1, work);
 }
 
 /* ---- joints ---- */

@@ -45,18 +45,21 @@ static int32_t response_numbers(int32_t contacts)
 /* Takes memory for the groups of the listed contacts, and for one of them at work. Without it there are none. */
 static void groups_take(cn_world *world, cni_sparse *sparse)
 {
-	int32_t begin, end, numbers = 0, groups = 0, most = 0;
+	int32_t begin, end, numbers = 0, groups = 0, most = 0, halves = 0;
 	float *response;
 	for (begin = 0; begin < sparse->heavy_count; begin = end, ++groups) {
+		const cni_component *c = &sparse->components[sparse->heavies[begin].component];
 		end = end_of(sparse, begin);
 		numbers += response_numbers(end - begin);
 		most = cni_max_i(most, end - begin);
+		halves = cni_max_i(halves, cni_heavy_half_floats(end - begin, c->end - c->begin));
 	}
 	if (groups == 0)
 		return;
 	sparse->heavy_points = (cni_direct_contact *)cni_scratch_push(world, CNI_HEAVY_POINT_BYTES * (uint64_t)most);
+	sparse->heavy_halves = (float *)cni_scratch_push(world, sizeof(float) * (uint64_t)halves);
 	sparse->heavy_groups = (cni_heavy_group *)cni_scratch_push(world, sizeof(cni_heavy_group) * (uint64_t)groups + sizeof(float) * (uint64_t)numbers);
-	if (sparse->heavy_points == NULL || sparse->heavy_groups == NULL)
+	if (sparse->heavy_points == NULL || sparse->heavy_halves == NULL || sparse->heavy_groups == NULL)
 		return;
 	response = (float *)(void *)(sparse->heavy_groups + groups);
 	for (begin = 0; begin < sparse->heavy_count; begin = end) {
@@ -152,12 +155,11 @@ static float row_target(const cni_heavy_pass *q, int32_t contact, int32_t row)
 	const cni_heavy_contact *h = &q->heavies[contact];
 	const cni_direct_contact *p = &q->points[contact];
 	float m = q->mass[cni_heavy_at(contact, row)], speed = q->speed[cni_heavy_at(contact, row)], separation = q->separation[cni_heavy_at(contact, row)];
-	float leaving = CNI_HEAVY_SLOW_STRESS * cni_length(q->world->settings.gravity) * q->s->h, most = CNI_HEAVY_SPEED_MOST * q->world->settings.push_speed_max * h->mass;
 	if (row == 2)
 		return q->pass == PASS_BOUNCE ? p->j[2] : friction_target(p, m, speed - h->tangent_speed);
 	if (q->pass == PASS_BOUNCE) /* what touches reaches its speed after the impact */
 		return separation > q->world->settings.slop ? p->j[row] : cni_max(p->j[row] + m * (h->bounce[row] - speed), 0.0f);
-	return cni_min(cni_max(most, p->j[row]), normal_target(q->s, p, row, h->load[row], leaving, m, speed, separation, q->pass));
+	return cni_min(cni_max(q->speed_most * h->mass, p->j[row]), normal_target(q->s, p, row, h->load[row], q->leaving, m, speed, separation, q->pass));
 }
 
 /* Does the contact take part in this pass? */
@@ -167,18 +169,12 @@ static int32_t takes_part(const cni_heavy_pass *q, int32_t contact)
 	return !h->is_left && (q->pass != PASS_BOUNCE || (h->is_hit && cni_heavy_bounces(h)));
 }
 
-/* Less is rounding. */
-static float speed_least(const cni_heavy_pass *q)
-{
-	return CNI_DIRECT_SPEED_LEAST * q->world->settings.length_unit;
-}
-
 /* Returns 1 where impulses changed by more than rounding. */
 static int32_t contact_rows_solve(cni_heavy_pass *q, int32_t contact)
 {
 	cni_direct_contact *p = &q->points[contact];
-	float least = speed_least(q);
-	int32_t row, k, changed = 0;
+	float *speed = q->speed;
+	int32_t row, k, lanes = CNI_HEAVY_LANES * q->count, changed = 0;
 	for (row = 0; row < CNI_HEAVY_ROWS; ++row) {
 		const float *column = cni_heavy_column(q, contact, row);
 		float target, change;
@@ -189,9 +185,9 @@ static int32_t contact_rows_solve(cni_heavy_pass *q, int32_t contact)
 		p->j[row] = target;
 		if (change == 0.0f)
 			continue;
-		changed |= cni_abs(change) > least * q->mass[cni_heavy_at(contact, row)];
-		for (k = 0; k < CNI_HEAVY_LANES * q->count; k += CNI_HEAVY_LANES)
-			cni_four_store(q->speed + k, cni_four_add(cni_four_load(q->speed + k), cni_four_scale(cni_four_load(column + k), change)));
+		changed |= cni_abs(change) > q->speed_least * q->mass[cni_heavy_at(contact, row)];
+		for (k = 0; k < lanes; k += CNI_HEAVY_LANES)
+			cni_four_store(speed + k, cni_four_add(cni_four_load(speed + k), cni_four_scale(cni_four_load(column + k), change)));
 	}
 	return changed;
 }
@@ -200,10 +196,9 @@ static int32_t contact_rows_solve(cni_heavy_pass *q, int32_t contact)
 static int32_t changes_speed(const cni_heavy_pass *q, int32_t contact)
 {
 	const cni_direct_contact *p = &q->points[contact];
-	float least = speed_least(q);
 	int32_t k;
 	for (k = 0; k < CNI_HEAVY_ROWS; ++k)
-		if (p->mass[k] > 0.0f && !(cni_abs(p->j[k] - p->first[k]) <= least * q->mass[cni_heavy_at(contact, k)]))
+		if (p->mass[k] > 0.0f && !(cni_abs(p->j[k] - p->first[k]) <= q->speed_least * q->mass[cni_heavy_at(contact, k)]))
 			return 1;
 	return 0;
 }
@@ -212,7 +207,7 @@ static int32_t changes_speed(const cni_heavy_pass *q, int32_t contact)
 static void rows_begin(const cni_heavy_pass *q)
 {
 	int32_t i, k;
-	cni_heavy_speeds(q, 1.0f, q->speed);
+	cni_heavy_speeds(q, q->speed);
 	for (i = 0; i < q->count; ++i) {
 		for (k = 0; k < CNI_HEAVY_ROWS; ++k) {
 			q->mass[cni_heavy_at(i, k)] = cni_inverse_or_zero(cni_heavy_inverse_mass(q, i, k));

@@ -40,10 +40,17 @@ static inline int32_t cni_heavy_contacts_room(int32_t touching)
 {
 	return cni_min_i(touching, CNI_HEAVY_CONTACTS_MOST / 2) * 2;
 }
-/* Bound on their scratch memory: each may be a group, and one group may have CNI_HEAVY_COMPONENT_MOST. */
-static inline uint64_t cni_heavy_bytes(int32_t touching)
+/* Floats in which the response of a group is found: y of each row, z of one and where it is not zero (cni_sparse_halves). */
+static inline int32_t cni_heavy_half_floats(int32_t contacts, int32_t nodes)
 {
-	return (sizeof(cni_heavy_contact) + sizeof(cni_heavy_group) + CNI_HEAVY_POINT_BYTES + CNI_HEAVY_ROWS * CNI_HEAVY_LANES * sizeof(float) * (uint64_t)CNI_HEAVY_COMPONENT_MOST) *
+	return (CNI_HEAVY_ROWS * contacts + 2) * CNI_NODE_LANES * nodes;
+}
+/* Bound on their scratch memory with this number of joints: each may be a group, and one group may have CNI_HEAVY_COMPONENT_MOST. */
+static inline uint64_t cni_heavy_bytes(int32_t touching, int32_t joints)
+{
+	int32_t most = cni_min_i(CNI_HEAVY_COMPONENT_MOST, cni_heavy_contacts_room(touching));
+	int32_t work = most * cni_min_i(joints, CNI_HEAVY_CONTACT_BLOCKS / cni_max_i(most, 1) + 1);
+	return sizeof(float) * CNI_NODE_LANES * (uint64_t)(most > 0 ? CNI_HEAVY_ROWS * work + 2 * joints : 0) + (sizeof(cni_heavy_contact) + sizeof(cni_heavy_group) + CNI_HEAVY_POINT_BYTES + CNI_HEAVY_ROWS * CNI_HEAVY_LANES * sizeof(float) * (uint64_t)CNI_HEAVY_COMPONENT_MOST) *
 		(uint64_t)cni_heavy_contacts_room(touching) + 48;
 }
 

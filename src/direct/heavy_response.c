@@ -10,6 +10,8 @@
  */
 #include "direct/heavy_response.h"
 
+#include <string.h>
+
 #define INVERSE_MASS_LEAST 1e-4f /* of a row, as a part of that of the free bodies: less is rounding */
 
 void cni_heavy_pass_open(cni_heavy_pass *q, cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_heavy_group *g)
@@ -22,6 +24,9 @@ void cni_heavy_pass_open(cni_heavy_pass *q, cn_world *world, const cni_solve *s,
 	q->c = &sparse->components[g->component];
 	q->heavies = sparse->heavies + g->begin;
 	q->count = g->end - g->begin;
+	q->speed_least = CNI_DIRECT_SPEED_LEAST * world->settings.length_unit;
+	q->speed_most = CNI_HEAVY_SPEED_MOST * world->settings.push_speed_max;
+	q->leaving = CNI_HEAVY_SLOW_STRESS * cni_length(world->settings.gravity) * s->h;
 	q->points = sparse->heavy_points;
 	q->levers = (cni_lever *)(void *)(q->points + q->count);
 	q->speed = (float *)(void *)(q->levers + CNI_HEAVY_LANES * q->count);
@@ -46,15 +51,6 @@ static void velocity_add(cni_motion *m, const float *velocity)
 	m->vx += velocity[0];
 	m->vy += velocity[1];
 	m->w += velocity[2];
-}
-
-static void velocities_clear(const cni_heavy_pass *q)
-{
-	int32_t k;
-	for (k = q->c->body_begin; k < q->c->body_end; ++k)
-		velocity_clear(cni_motions(q->world) + q->sparse->bodies[k]);
-	for (k = 0; k < 2 * q->count; ++k)
-		velocity_clear(cni_heavy_body(q, k >> 1, k & 1));
 }
 
 /* A body that several contacts have leaves its velocity with the first. */
@@ -99,25 +95,12 @@ void cni_heavy_sides_set(const cni_heavy_pass *q)
 	}
 }
 
-/* Adds what the joints do to the changes; nothing where they have no finite solution. */
-static void joints_answer(const cni_heavy_pass *q)
-{
-	int32_t k;
-	cni_heavy_sides_set(q);
-	if (!cni_sparse_solve(q->sparse, q->c))
-		return;
-	for (k = q->c->begin; k < q->c->end; ++k) {
-		const cni_node *n = &q->sparse->nodes[k];
-		cni_levers_push(&n->levers, n->x, cni_motions(q->world) + n->ia, cni_motions(q->world) + n->ib, q->c->width);
-	}
-}
-
-void cni_heavy_speeds(const cni_heavy_pass *q, float part, float *out)
+void cni_heavy_speeds(const cni_heavy_pass *q, float *out)
 {
 	int32_t i, k;
 	for (i = 0; i < q->count; ++i)
 		for (k = 0; k < CNI_HEAVY_LANES; ++k)
-			out[cni_heavy_at(i, k)] = k < CNI_HEAVY_ROWS ? part * cni_lever_speed(&q->levers[cni_heavy_at(i, k)], cni_heavy_body(q, i, 0), cni_heavy_body(q, i, 1)) : 0.0f;
+			out[cni_heavy_at(i, k)] = k < CNI_HEAVY_ROWS ? cni_lever_speed(&q->levers[cni_heavy_at(i, k)], cni_heavy_body(q, i, 0), cni_heavy_body(q, i, 1)) : 0.0f;
 }
 
 void cni_heavy_push(const cni_heavy_pass *q, int32_t contact, int32_t row, float impulse)
@@ -151,16 +134,81 @@ float cni_heavy_turn(const cni_heavy_pass *q)
 	return most;
 }
 
+/* An impulse of 1 in one row of a contact: the changes of its two bodies. */
+typedef struct unit_impulse {
+	int32_t ia, ib;
+	cni_motion a, b;
+} unit_impulse;
+
+static unit_impulse unit_impulse_make(const cni_heavy_pass *q, int32_t contact, int32_t row)
+{
+	unit_impulse u;
+	u.ia = q->points[contact].ia;
+	u.ib = q->points[contact].ib;
+	u.a = *cni_heavy_body(q, contact, 0);
+	u.b = *cni_heavy_body(q, contact, 1);
+	velocity_clear(&u.a);
+	velocity_clear(&u.b);
+	cni_lever_push(&q->levers[cni_heavy_at(contact, row)], 1.0f, &u.a, &u.b);
+	return u;
+}
+
+/* The change of a body; NULL: none. */
+static const cni_motion *unit_change_of(const unit_impulse *u, int32_t index)
+{
+	return index == u->ia ? &u->a : index == u->ib ? &u->b : NULL;
+}
+
+/* Right sides of the joints against it: of those of its two bodies. */
+static void unit_sides_set(const cni_heavy_pass *q, const unit_impulse *u)
+{
+	const cni_motion *still = cni_motions(q->world); /* index 0 never moves */
+	int32_t k;
+	for (k = q->c->begin; k < q->c->end; ++k) {
+		cni_node *n = &q->sparse->nodes[k];
+		const cni_motion *a = unit_change_of(u, n->ia), *b = unit_change_of(u, n->ib);
+		cni_four_store(n->x, a != NULL || b != NULL ? cni_levers_speed(&n->levers, a != NULL ? a : still, b != NULL ? b : still) : cni_four_all(0.0f));
+	}
+}
+
+/* Speed of a row after it, without joints. */
+static float free_speed(const cni_heavy_pass *q, const unit_impulse *u, int32_t contact, int32_t row)
+{
+	const cni_motion *still = cni_motions(q->world);
+	const cni_motion *a = unit_change_of(u, q->points[contact].ia), *b = unit_change_of(u, q->points[contact].ib);
+	return a != NULL || b != NULL ? cni_lever_speed(&q->levers[cni_heavy_at(contact, row)], a != NULL ? a : still, b != NULL ? b : still) : 0.0f;
+}
+
+/* The sum, over the nodes where z is not zero, of y of one row times z of another: what the joints take from a speed. 0 where they have no finite
+   solution. */
+static float joints_take(const float *y, const float *z, const int32_t *at, int32_t count)
+{
+	cni_four sum = cni_four_all(0.0f);
+	float taken;
+	int32_t k;
+	for (k = 0; k < count; ++k)
+		sum = cni_four_add(sum, cni_four_times(cni_four_load(y + at[k]), cni_four_load(z + at[k])));
+	taken = cni_four_sum(sum);
+	return cni_is_finite(taken) ? taken : 0.0f;
+}
+
+/* Speeds of this row and of all before it after an impulse of 1 in it, J (M^-1 - M^-1 J^T K^-1 J M^-1) J^T: symmetric. */
 static void column_find(const cni_heavy_pass *q, int32_t contact, int32_t row)
 {
-	const cni_direct_contact *p = &q->points[contact];
-	float *column = cni_heavy_column(q, contact, row), *own = &column[cni_heavy_at(contact, row)], mass = p->mass[row];
-	float least = cni_heavy_is_inner(q, contact) ? 1.0f : INVERSE_MASS_LEAST;
-	velocities_clear(q);
-	cni_heavy_push(q, contact, row, mass);
-	joints_answer(q);
-	cni_heavy_speeds(q, 1.0f / mass, column);
-	*own = cni_max(*own, least / mass);
+	int32_t floats = CNI_NODE_LANES * (q->c->end - q->c->begin), last = CNI_HEAVY_ROWS * contact + row, count, k;
+	float *halves = q->sparse->heavy_halves, *z = halves + (size_t)(CNI_HEAVY_ROWS * q->count) * (size_t)floats;
+	int32_t *at = (int32_t *)(void *)(z + floats);
+	float *own = &cni_heavy_column(q, contact, row)[cni_heavy_at(contact, row)], mass = q->points[contact].mass[row];
+	unit_impulse u = unit_impulse_make(q, contact, row);
+	unit_sides_set(q, &u);
+	count = cni_sparse_halves(q->sparse, q->c, halves + (size_t)last * (size_t)floats, z, at);
+	for (k = 0; k <= last; ++k) {
+		int32_t i = k / CNI_HEAVY_ROWS, r = k % CNI_HEAVY_ROWS;
+		if (q->points[i].mass[r] > 0.0f)
+			cni_heavy_column(q, contact, row)[cni_heavy_at(i, r)] = cni_heavy_column(q, i, r)[cni_heavy_at(contact, row)] =
+				free_speed(q, &u, i, r) - joints_take(halves + (size_t)k * (size_t)floats, z, at, count);
+	}
+	*own = cni_max(*own, (cni_heavy_is_inner(q, contact) ? 1.0f : INVERSE_MASS_LEAST) / mass);
 	q->g->turn_most = cni_min(q->g->turn_most, CNI_HEAVY_TURN_PART * cni_sqrt(mass * *own));
 }
 
@@ -172,12 +220,10 @@ void cni_heavy_response_find(const cni_heavy_pass *q)
 		cni_sparse_factor(q->sparse, q->c, cni_motions(q->world));
 	}
 	q->g->turn_most = FLT_MAX;
-	cni_heavy_set_aside(q);
+	memset(q->g->response, 0, sizeof(float) * (size_t)(CNI_HEAVY_ROWS * q->count) * (size_t)(CNI_HEAVY_LANES * q->count));
 	for (k = 0; k < CNI_HEAVY_ROWS * q->count; ++k)
 		if (q->points[k / CNI_HEAVY_ROWS].mass[k % CNI_HEAVY_ROWS] > 0.0f)
 			column_find(q, k / CNI_HEAVY_ROWS, k % CNI_HEAVY_ROWS);
-	velocities_clear(q);
-	cni_heavy_return(q);
 	q->g->turn_most += cni_heavy_turn(q);
 	if (active)
 		cni_direct_system(q->world, q->s, q->sparse, q->c);

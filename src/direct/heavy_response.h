@@ -19,6 +19,9 @@ typedef struct cni_heavy_pass {
 	cni_direct_contact *points; /* as in their lanes */
 	cni_lever *levers; /* of the rows: place cni_heavy_at(contact, row) */
 	float *speed, *mass, *separation; /* ... in a pass; friction has no separation */
+	float speed_least; /* m/s: less is rounding */
+	float speed_most;  /* m/s: impulses beyond those of all masses at this speed are the kernel's */
+	float leaving;     /* m/s: points that part faster keep no load */
 } cni_heavy_pass;
 
 /* Place of a row in vectors of speeds. */
@@ -57,8 +60,8 @@ void cni_heavy_set_aside(const cni_heavy_pass *q);
 void cni_heavy_return(const cni_heavy_pass *q);
 /* Right sides of the joints against the changes. */
 void cni_heavy_sides_set(const cni_heavy_pass *q);
-/* Speeds of all rows, times `part`. */
-void cni_heavy_speeds(const cni_heavy_pass *q, float part, float *out);
+/* Speeds of all rows. */
+void cni_heavy_speeds(const cni_heavy_pass *q, float *out);
 void cni_heavy_push(const cni_heavy_pass *q, int32_t contact, int32_t row, float impulse);
 /* The farthest turn of the component's levers in this step; beyond the group's turn_most its response is found again. */
 float cni_heavy_turn(const cni_heavy_pass *q);

@@ -148,6 +148,7 @@ typedef struct cni_sparse {
 	struct cni_heavy_group *heavy_groups;  /* ... by component */
 	int32_t heavy_group_count;
 	struct cni_direct_contact *heavy_points; /* ... of the group that is solved */
+	float *heavy_halves;                   /* ... whose response is found: direct/heavy_response.c */
 	cni_motion *saved;            /* by index in bodies */
 	float *pull;                  /* by dense body: sum(r.f) of its joints; direct/geometric_stiffness.c */
 	cni_rot *turn;                /* by dense body: rotation since the step began */
@@ -185,6 +186,9 @@ int32_t cni_sparse_is_redundant(const cni_sparse *s, const cni_component *c, flo
 /* Replaces the right hand sides in the nodes' x by the solution. 0: some x is not finite, because floats cannot hold these
    masses or lever arms together; the caller must discard the solution. */
 int32_t cni_sparse_solve(cni_sparse *sparse, const cni_component *c);
+/* Of right hand sides b in the nodes' x: y = L^-1 b and z = D^-1 y, CNI_NODE_LANES floats a node. So K^-1 between two of them is the sum of
+   y of one times z of the other, and takes half of a solution each. Returns the number of nodes where they are not zero, and where these begin. */
+int32_t cni_sparse_halves(cni_sparse *sparse, const cni_component *c, float *y, float *z, int32_t *out_at);
 /* ---- topology classes: linear/topology_class.c ---- */
 
 /* Writes the component's topology. 0: the component cannot have a class. */

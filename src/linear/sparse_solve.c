@@ -292,22 +292,19 @@ CNI_INLINE cni_four columns_apply(const float *block, cni_four y, int32_t w)
 	return cni_four_add(cni_four_add(p[0], p[1]), p[2]);
 }
 
-/* Solves L D L^T x = b: pivots are the inverse of D. */
-CNI_INLINE int32_t solve(cni_sparse *s, const cni_component *c, int32_t w)
+/* x = L^-1 x. */
+CNI_INLINE void lower_solve(cni_sparse *s, const cni_component *c, const region *r, int32_t w)
 {
-	region r = region_of(s, c);
 	cni_node *nodes = s->nodes;
-	const cni_four zero = cni_four_all(0.0f);
-	cni_four finite = zero; /* sum of 0 * x: stays 0 while all x are finite */
 	for (int32_t k = c->begin; k < c->end; ++k) {
 		cni_four x = cni_four_load(nodes[k].x), lanes[CNI_NODE_ROWS];
 		if (nodes[k].x[0] == 0.0f && nodes[k].x[1] == 0.0f && (w == 2 || nodes[k].x[2] == 0.0f))
-			continue; /* right sides of few nodes: direct/heavy_contacts.c */
+			continue; /* right sides of few nodes: direct/heavy_response.c */
 		lanes[0] = w == 2 ? CNI_FOUR_PICK(x, x, 0, 0, 1, 1) : CNI_FOUR_PICK(x, x, 0, 0, 0, 0);
 		lanes[1] = CNI_FOUR_PICK(x, x, 1, 1, 1, 1);
 		lanes[2] = CNI_FOUR_PICK(x, x, 2, 2, 2, 2);
 		for (int32_t e = s->first[k]; e < s->first[k + 1]; ++e) {
-			const float *block = block_at(&r, e, w);
+			const float *block = block_at(r, e, w);
 			float *y = nodes[s->below[e]].x;
 			cni_four sum = cni_four_times(cni_four_load(block), lanes[0]);
 			for (int32_t i = 1; i < vectors_of(w); ++i)
@@ -316,6 +313,16 @@ CNI_INLINE int32_t solve(cni_sparse *s, const cni_component *c, int32_t w)
 			cni_four_store(y, cni_four_subtract(cni_four_load(y), sum));
 		}
 	}
+}
+
+/* Solves L D L^T x = b: pivots are the inverse of D. */
+CNI_INLINE int32_t solve(cni_sparse *s, const cni_component *c, int32_t w)
+{
+	region r = region_of(s, c);
+	cni_node *nodes = s->nodes;
+	const cni_four zero = cni_four_all(0.0f);
+	cni_four finite = zero; /* sum of 0 * x: stays 0 while all x are finite */
+	lower_solve(s, c, &r, w);
 	for (int32_t k = c->end - 1; k >= c->begin; --k) {
 		cni_four x = columns_apply(pivot_at(&r, k, w), cni_four_load(nodes[k].x), w);
 		for (int32_t e = s->first[k]; e < s->first[k + 1]; ++e)
@@ -330,4 +337,26 @@ CNI_INLINE int32_t solve(cni_sparse *s, const cni_component *c, int32_t w)
 int32_t cni_sparse_solve(cni_sparse *s, const cni_component *c)
 {
 	return c->width == 2 ? solve(s, c, 2) : solve(s, c, 3);
+}
+
+CNI_INLINE int32_t halves(cni_sparse *s, const cni_component *c, float *y, float *z, int32_t *at, int32_t w)
+{
+	region r = region_of(s, c);
+	const cni_four zero = cni_four_all(0.0f);
+	int32_t count = 0;
+	lower_solve(s, c, &r, w);
+	for (int32_t k = c->begin; k < c->end; ++k, y += CNI_NODE_LANES, z += CNI_NODE_LANES) {
+		const float *x = s->nodes[k].x;
+		cni_four half = cni_four_load(x), scaled = columns_apply(pivot_at(&r, k, w), half, w);
+		cni_four_store(y, half);
+		cni_four_store(z, w == 2 ? CNI_FOUR_PICK(scaled, zero, 0, 1, 4, 4) : scaled);
+		if (x[0] != 0.0f || x[1] != 0.0f || (w == 3 && x[2] != 0.0f))
+			at[count++] = CNI_NODE_LANES * (k - c->begin);
+	}
+	return count;
+}
+
+int32_t cni_sparse_halves(cni_sparse *s, const cni_component *c, float *y, float *z, int32_t *at)
+{
+	return c->width == 2 ? halves(s, c, y, z, at, 2) : halves(s, c, y, z, at, 3);
 }

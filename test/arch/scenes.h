@@ -20,12 +20,12 @@ typedef struct arch_scene {
 static const arch_scene arch_scenes[ARCH_SCENES] = {
 	{ "shapes", scene_shapes, 0x4cbfae011f1d3379 },
 	{ "joints", scene_joints, 0xf556e3847e4d26db },
-	{ "direct", scene_direct, 0xb8403cf4b7140a7d },
-	{ "tiers", scene_tiers, 0xb0231de3111f5683 },
+	{ "direct", scene_direct, 0xe2ae52c5230f4702 },
+	{ "tiers", scene_tiers, 0xdd8f91442f9b76f4 },
 	{ "sequential", scene_sequential, 0x8420c332fa1de2a4 },
 	{ "queries", scene_queries, 0xb79cb4644a093b1c },
-	{ "events", scene_events, 0x3635ddb42e4e2c6a },
-	{ "file", scene_file, 0x557ef000746f5072 },
+	{ "events", scene_events, 0x310d33f10c1e09ac },
+	{ "file", scene_file, 0x6a32644074ee431b },
 };
 
 /* The number of a scene; 0 if a call failed: arch_failed_line. */

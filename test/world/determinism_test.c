@@ -24,13 +24,13 @@ typedef struct golden {
 
 /* clang-format off */
 static const golden goldens[] = {
-	{ "falling_hinges", 480, 1, 0xd32ace8802f12e6c },
+	{ "falling_hinges", 480, 1, 0x71f5fb411b913c09 },
 	{ "small_200", 300, 1, 0x87ecd5330aaa86da },
 	{ "small_50_sleep", 600, 1, 0x71eccb9d1bba6197 },
 	{ "dominoes", 400, 1, 0x1b40e5f4ad59c08c },
-	{ "ragdolls", 480, 1, 0xee523d9e3087c78d },
+	{ "ragdolls", 480, 1, 0x7914adfb92abac0a },
 	{ "bridge", 240, 1, 0xfd2ab847542b0645 },
-	{ "car", 400, 1, 0xdf852f098ed22321 },
+	{ "car", 400, 1, 0xe7d2c8bf5ac92433 },
 	{ "mixer", 240, 1, 0x12d6eb74fe74d818 },
 	{ "pyramid", 120, 0, 0x387c9d4d7cb5aaff },
 	{ "rain", 150, 0, 0xbd48b22521a1db77 },
