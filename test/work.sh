@@ -5,7 +5,7 @@
 set -u
 folder=$1/test/world
 passed=0 failed=0
-command -v valgrind >/dev/null 2>&1 || { echo "valgrind is not installed (see .ci/deps)"; echo "0 passed, 0 failed, 12 skipped"; exit 0; }
+command -v valgrind >/dev/null 2>&1 || { echo "valgrind is not installed (see .ci/deps)"; echo "0 passed, 0 failed, 13 skipped"; exit 0; }
 
 instructions() { # function [program]
 	valgrind --tool=callgrind --callgrind-out-file=/dev/null "$folder/${2:-growth}_time_test" "$1" 2>&1 |
@@ -38,6 +38,8 @@ asleep=$(($(instructions sleepers_stepped) - $(instructions sleepers_made)))
 empty=$(($(instructions empty_stepped) - $(instructions empty_made)))
 bound "a step with 2,000 bodies asleep over an empty step" "$(awk -v a="$asleep" -v b="$empty" 'BEGIN { print (b > 0 ? a / b : 0) }')" 2
 bound "an empty step, instructions" "$(awk -v steps="$empty" 'BEGIN { print steps / 200 }')" 3000
+bound "steps 6 to 20 of a long bridge over the first five, instructions a step" "$(awk -v a="$(instructions bridge_falls_for_20_steps)" -v b="$(instructions bridge_falls_for_5_steps)" \
+	'BEGIN { print (b > 0 ? (a - b) / 3 / b : 0) }')" 2
 # Each reads 10,000 bodies 100 times.
 nothing=$(instructions nothing_read read)
 per_body() { # function without_it

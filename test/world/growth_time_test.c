@@ -1,7 +1,7 @@
 /*
  * test/world/growth_time_test.c - work that must not grow with what lies beside it: a tile added to a level costs the same
  * whatever the level's size, a shape added to a moving body, removed or changed likewise, a body or joint destroyed in any order, and an edge
- * of a chain that is moved; and bodies that sleep cost a step nothing.
+ * of a chain that is moved; bodies that sleep cost a step nothing; and a long bridge that is thrown costs little more than one that hangs.
  *
  * Times are printed and have no bounds, as other programs disturb them. test/work.sh runs the functions one by one under
  * valgrind and bounds the instructions they execute.
@@ -9,6 +9,7 @@
  * If a test here fails, look first in: model/body_shapes.c (mass of a body of many shapes), step/finalize.c, model/island_sleep.c.
  */
 #include "fixture.h"
+#include "joints.h"
 
 #include <time.h>
 
@@ -223,6 +224,34 @@ static void sleepers_stepped(void) { sleepers(2000, STEPS); }
 static void empty_made(void) { sleepers(0, 0); }
 static void empty_stepped(void) { sleepers(0, STEPS); }
 
+/* ---- a straight bridge of 300 planks: its joints need more substeps as it falls, and boxes are about to hit it ---- */
+
+static void bridge_falls(int32_t steps)
+{
+	enum { PLANKS = 300 };
+	cn_world *world = fixture_world(-10.0f, 1);
+	cn_body last = fixture_box(world, CN_BODY_STATIC, -1.0f, 10.0f, 0.0f, 0.5f, 0.2f, 0.5f, 0.0f), end;
+	uint32_t random = 7;
+	double start;
+	int32_t k;
+	for (k = 0; k < PLANKS; ++k) {
+		cn_body plank = fixture_box(world, CN_BODY_DYNAMIC, (float)k, 10.0f, 0.0f, 0.48f, 0.1f, 0.6f, 0.0f);
+		hinge(world, last, at(0.5f, 0.0f), plank, at(-0.5f, 0.0f));
+		last = plank;
+	}
+	end = fixture_box(world, CN_BODY_STATIC, (float)PLANKS, 10.0f, 0.0f, 0.5f, 0.2f, 0.5f, 0.0f);
+	hinge(world, last, at(0.5f, 0.0f), end, at(-0.5f, 0.0f));
+	for (k = 0; k < PLANKS / 2; ++k)
+		fixture_box(world, CN_BODY_DYNAMIC, fixture_random(&random, 1.0f, (float)(PLANKS - 2)), 11.0f + 0.2f * (float)k, 0.0f, 0.4f, 0.4f, 0.6f, 0.0f);
+	start = cpu_s();
+	fixture_step(world, steps);
+	printf("  %.2f ms a step\n", 1e3 * (cpu_s() - start) / (double)steps);
+	cn_world_destroy(world);
+}
+
+static void bridge_falls_for_5_steps(void) { bridge_falls(5); }
+static void bridge_falls_for_20_steps(void) { bridge_falls(20); }
+
 int main(int argc, char **argv)
 {
 	test_begin(argc, argv);
@@ -242,5 +271,7 @@ int main(int argc, char **argv)
 	RUN(sleepers_stepped);
 	RUN(empty_made);
 	RUN(empty_stepped);
+	RUN(bridge_falls_for_5_steps);
+	RUN(bridge_falls_for_20_steps);
 	return test_end();
 }
