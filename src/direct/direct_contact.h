@@ -26,6 +26,7 @@
 #define CNI_ATTEMPT_WORK 200000
 #define CNI_ATTEMPT_WORK_DIRECT 2000000 /* ... with CN_SOLVER_DIRECT, 20 ms: 76 boxes under a crusher took 53 million, now 13 */
 #define CNI_ATTEMPT_PASS_WORK 100000 /* most of one pass, but for CNI_CONE_FACTORS_LEAST: large walls take 5 to 20, heaps that settle 40 to 60 */
+#define CNI_RATTLE_WORK 50000 /* most of failed attempts of direct/rattle.c: solutions and rows take three times as long as their factorizations */
 #define CNI_CONE_DEBT 12000
 #define CNI_CONE_FAILED 21000 /* what a failed attempt owes beside its work: 1,500 steps until the next */
 #define CNI_CONE_FACTORS 30 /* of a pass: a system is too large where so many exceed CNI_ATTEMPT_WORK */

@@ -17,7 +17,7 @@
  * no larger; the excess is taken out of the velocities. So energy cannot creep, step by step.
  *
  * A step that does not close its joints, or gains much energy, is repeated with twice the substeps, as far as the work of the step allows
- * (CNI_ATTEMPT_WORK), and then by projections: x += h (v + h a), x to the nearest point where the joints are closed, v projected to
+ * (CNI_RATTLE_WORK), and then by projections: x += h (v + h a), x to the nearest point where the joints are closed, v projected to
  * J v = 0 there. Such a projection cannot raise kinetic energy, so it survives whips that no substep resolves, and loses energy (about
  * (h w)^2 of it a substep). Last, each joint is soft, where a system is beyond the range of floats. The joints remember failures, so that a
  * component that fails again and again does not try everything in every step.
@@ -540,7 +540,7 @@ static void joints_release(const rattle_step *g, const cni_solve *s, cni_joint_t
 
 static int32_t attempt_work(const cni_component *c, int32_t substeps)
 {
-	int64_t work = (int64_t)substeps * CNI_RATTLE_SUBSTEP_FACTORS * cni_cone_factor_work(c);
+	int64_t work = (int64_t)substeps * cni_cone_factor_work(c);
 	return work < CNI_ATTEMPT_WORK ? (int32_t)work : CNI_ATTEMPT_WORK;
 }
 
@@ -555,15 +555,15 @@ static int32_t rattle_run(rattle_step *g, const cni_solve *s, cni_component *c, 
 		step_undo(g);
 		g->world->set_work += attempt_work(c, substeps);
 		substeps *= 2;
-	} while (substeps <= CNI_RATTLE_SUBSTEPS_RETRY && (g->world->settings.solver != CN_SOLVER_AUTO || g->world->set_work + attempt_work(c, substeps) <= CNI_ATTEMPT_WORK));
+	} while (substeps <= CNI_RATTLE_SUBSTEPS_RETRY && (g->world->settings.solver != CN_SOLVER_AUTO || g->world->set_work + attempt_work(c, substeps) <= CNI_RATTLE_WORK));
 	return 0;
 }
 
-/* Substeps of projections: of a large system as few as the work of a pass allows. */
+/* Substeps of projections: of a large system as few as half of the work allows. */
 static int32_t projection_substeps(const cn_world *world, const cni_solve *s, const cni_component *c)
 {
 	int32_t substeps = CNI_RATTLE_SUBSTEPS_FIRM;
-	while (substeps > s->substeps && world->settings.solver == CN_SOLVER_AUTO && attempt_work(c, substeps) > CNI_ATTEMPT_PASS_WORK)
+	while (substeps > s->substeps && world->settings.solver == CN_SOLVER_AUTO && attempt_work(c, substeps) > CNI_RATTLE_WORK / 2)
 		substeps /= 2;
 	return cni_max_i(substeps, s->substeps);
 }

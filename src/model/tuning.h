@@ -357,8 +357,6 @@ CNI_TUNING_FLOAT(CNI_RATTLE_SUBSTEPS_ROD, 32.0f)
 CNI_TUNING_COUNT(CNI_RATTLE_SUBSTEPS_RETRY, 64)
 /* Substeps of the fallback that projects joints in every substep; large systems have fewer. */
 CNI_TUNING_COUNT(CNI_RATTLE_SUBSTEPS_FIRM, 16)
-/* What a substep takes, in factorizations: its own, and solutions and rows of a few rounds. */
-CNI_TUNING_COUNT(CNI_RATTLE_SUBSTEP_FACTORS, 4)
 /* What elimination leaves of a row's diagonal: n times the regularization where the others of n nodes imply the row. RATTLE's energy jumps by a
    percent in single steps then: five wheels coupled by two rods lost 47% of it in 10 s at 25 rad/s. So straight bridges of up to 20 planks are
    not for RATTLE. Longer ones are: of 60 planks the tension by which the other path holds them throws them when boxes fall on them. */

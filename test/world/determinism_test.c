@@ -29,7 +29,7 @@ static const golden goldens[] = {
 	{ "small_50_sleep", 600, 1, 0x71eccb9d1bba6197 },
 	{ "dominoes", 400, 1, 0x1b40e5f4ad59c08c },
 	{ "ragdolls", 480, 1, 0x7914adfb92abac0a },
-	{ "bridge", 240, 1, 0xfd2ab847542b0645 },
+	{ "bridge", 240, 1, 0x2a3ea6a5e8a1c120 },
 	{ "car", 400, 1, 0xe7d2c8bf5ac92433 },
 	{ "mixer", 240, 1, 0x12d6eb74fe74d818 },
 	{ "pyramid", 120, 0, 0x387c9d4d7cb5aaff },

@@ -559,7 +559,7 @@ static void retries_share_the_work_of_a_step(void)
 		most = most > s.world->set_work ? most : s.world->set_work;
 	}
 	CHECK_GE("work of failed attempts in a step", (double)most, 20000.0, "blocks");
-	CHECK_LE("work of failed attempts in a step", (double)most, (double)CNI_ATTEMPT_WORK, "blocks");
+	CHECK_LE("work of failed attempts in a step", (double)most, (double)CNI_RATTLE_WORK, "blocks");
 	scene_close(&s);
 }
 
