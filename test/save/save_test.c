@@ -8,7 +8,7 @@
 #include "world/memory_session.h"
 #include "model/world.h"
 
-#define LOCKSTEP 120
+#define LOCKSTEP 60
 
 /* ---- scenes ---- */
 

@@ -125,10 +125,10 @@ static int32_t arch_breaks(int32_t pieces, float rise)
 static void welded_arches_bear_themselves(void)
 {
 	int32_t pieces, rise, broken = 0;
-	for (pieces = 3; pieces <= 20; ++pieces)
+	for (pieces = 3; pieces <= 20; pieces += 2)
 		for (rise = 0; rise < 8; ++rise)
 			broken += arch_breaks(pieces, 0.2f * (float)rise);
-	CHECK_LE("arches of 144 that break under ten times their weight", broken, 0, "");
+	CHECK_LE("arches of 72 that break under ten times their weight", broken, 0, "");
 }
 
 /* Two beams; the first is pinned to the ground, beyond its limit by so many radians, and the second, static, holds it there. Returns the greatest
@@ -237,7 +237,7 @@ static void straight_bridges_throw_no_discs(void)
 {
 	double most = 0.0;
 	int32_t planks, discs;
-	for (planks = 10; planks <= 32; planks += 2)
+	for (planks = 10; planks <= 32; planks += 4)
 		for (discs = 1; discs <= 3; ++discs)
 			most = fmax(most, bridge_speed(planks, 0.0f, 0, discs, 60, 4));
 	CHECK_LE("fastest plank of short bridges under discs", most, 8.0, "m/s");
