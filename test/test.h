@@ -6,7 +6,6 @@
  *
  * CHECK fails the running test and goes on; REQUIRE also leaves the test function. CHECK_LE prints the
  * measured value beside its bound, always; greater() gathers the worst of many. test_begin takes an optional substring filter from argv.
- * With CAIRN_TEST_SECONDS in the environment it says what each took of the processor.
  * Each executable ends with one line "N passed, N failed, N skipped" and exit code 0 when none failed;
  * test/run.sh adds those up.
  */
@@ -18,7 +17,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 static int test_passed, test_failed, test_skipped, test_this_failed, test_this_skipped;
 static const char *test_filter;
@@ -29,12 +27,9 @@ static inline void test_run(const char *name, void (*function)(void))
 {
 	if (test_filter != NULL && strstr(name, test_filter) == NULL)
 		return;
-	clock_t started = clock();
 	test_this_failed = 0;
 	test_this_skipped = 0;
 	function();
-	if (getenv("CAIRN_TEST_SECONDS") != NULL)
-		printf("%.2f s of %s\n", (double)(clock() - started) / CLOCKS_PER_SEC, name);
 	if (test_this_failed)
 		++test_failed;
 	else if (test_this_skipped)
