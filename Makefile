@@ -255,7 +255,7 @@ $(BUILD)/checked/test/%.o: test/%.c $(BUILD)/checked/flags
 $(BUILD)/checked/src/contacts/contact_kernel_4.o $(BUILD)/checked/src/contacts/contact_kernel_8.o: FILE_CFLAGS = $(if $(findstring undefined,$(TEST_CFLAGS)),-fno-sanitize=undefined)
 $(BUILD)/checked/test/world/arguments_test.o: FILE_CFLAGS = -O0
 # Tests that do much themselves.
-$(BUILD)/checked/test/broadphase/%.o $(BUILD)/checked/test/world/memory_test.o $(BUILD)/checked/test/world/memory_block_test.o: OWN_CFLAGS =
+$(BUILD)/checked/test/broadphase/%.o $(BUILD)/checked/test/world/memory_test.o $(BUILD)/checked/test/world/memory_block_test.o $(TIMES_SRC:%.c=$(BUILD)/checked/%.o): OWN_CFLAGS =
 
 $(BUILD)/libcairn-checked.a: $(CHECKED_OBJ)
 	@rm -f $@
