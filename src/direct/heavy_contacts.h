@@ -49,9 +49,10 @@ static inline int32_t cni_heavy_half_floats(int32_t contacts, int32_t nodes)
 static inline uint64_t cni_heavy_bytes(int32_t touching, int32_t joints)
 {
 	int32_t most = cni_min_i(CNI_HEAVY_COMPONENT_MOST, cni_heavy_contacts_room(touching));
-	int32_t work = most * cni_min_i(joints, CNI_HEAVY_CONTACT_BLOCKS / cni_max_i(most, 1) + 1);
-	return sizeof(float) * CNI_NODE_LANES * (uint64_t)(most > 0 ? CNI_HEAVY_ROWS * work + 2 * joints : 0) + (sizeof(cni_heavy_contact) + sizeof(cni_heavy_group) + CNI_HEAVY_POINT_BYTES + CNI_HEAVY_ROWS * CNI_HEAVY_LANES * sizeof(float) * (uint64_t)CNI_HEAVY_COMPONENT_MOST) *
-		(uint64_t)cni_heavy_contacts_room(touching) + 48;
+	int32_t rows = CNI_HEAVY_ROWS * most * cni_min_i(joints, CNI_HEAVY_CONTACT_BLOCKS / cni_max_i(most, 1) + 1); /* of all halves: nodes are no more than blocks */
+	uint64_t halves = sizeof(float) * CNI_NODE_LANES * (uint64_t)(most > 0 ? rows + 2 * joints : 0);
+	uint64_t response = CNI_HEAVY_ROWS * CNI_HEAVY_LANES * sizeof(float) * (uint64_t)CNI_HEAVY_COMPONENT_MOST;
+	return halves + (sizeof(cni_heavy_contact) + sizeof(cni_heavy_group) + CNI_HEAVY_POINT_BYTES + response) * (uint64_t)cni_heavy_contacts_room(touching) + 48;
 }
 
 static inline int32_t cni_heavy_bounces(const cni_heavy_contact *h) { return h->bounce[0] + h->bounce[1] > 0.0f; }
