@@ -4,7 +4,7 @@
 # world/determinism_test, the numbers of arch/hashes_test, the bytes of save/file_test, and the tests of base/; for WebAssembly, which is
 # quick, those of geometry/ instead.
 #
-# Golden scenes that are large run on aarch64 and wasm32 only: they take as long as all others together.
+# Golden scenes that are large run on wasm32 only: they take as long as all others together.
 # Two targets run at a time. Ends with one line "N passed, N failed, N skipped". A target whose compiler or emulator is missing is skipped.
 set -u
 unset MAKEFLAGS MFLAGS MAKELEVEL
@@ -24,7 +24,7 @@ run() { # target tests, as source files
 	for test in "$@"; do tests="$tests $build/$target/${test%.c}"; done
 	(
 		started=$(date +%s)
-		${MAKE:-make} -s -j"$cores" test BUILD="$build/$target" CC="$compiler" CFLAGS= TEST_CFLAGS="-O1 $flags" JOBS="$cores" \
+		${MAKE:-make} -s -j"$cores" test BUILD="$build/$target" CC="$compiler" CFLAGS= TEST_CFLAGS="-O1 $flags" OWN_CFLAGS=-O0 JOBS="$cores" \
 			TEST_DEFINES="-DCNI_DEBUG -DTEST_SLOW $defines" LIBS="$libs" RUNNER="$runner" TESTS="$tests" \
 			AMALGAMATED="${AMALGAMATED:-}" > "$build/$target.log" 2>&1
 		echo $? > "$build/$target.code"

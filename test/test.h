@@ -78,6 +78,13 @@ static inline int test_golden_holds(uint64_t digest, uint64_t golden)
 #define TEST_MANY(count) (count)
 #endif
 
+/* How many random values or rounds: a tenth by an emulator, where numbers that are the same everywhere say the rest. */
+#ifdef TEST_EMULATED
+#define TEST_SAMPLES(count) ((count) / 10)
+#else
+#define TEST_SAMPLES(count) (count)
+#endif
+
 #define RUN(function) test_run(#function, function)
 /* Prints times and checks none: runs only when the filter names it (make test-times). */
 #define RUN_WHEN_NAMED(function) do { if (test_filter != NULL) RUN(function); } while (0)

@@ -14,13 +14,6 @@
 
 #include <math.h>
 
-/* Random arguments of a kind: a tenth by an emulator, where t_same_bits_everywhere says that values are those of other processors. */
-#ifdef TEST_EMULATED
-#define SAMPLES(count) ((count) / 10)
-#else
-#define SAMPLES(count) (count)
-#endif
-
 #define PI_D 3.14159265358979323846
 
 static float random_in(uint32_t *state, float lower, float upper)
@@ -73,12 +66,12 @@ static void t_sincos_within_1e4(void)
 	uint32_t state = 1;
 	int32_t i;
 
-	for (i = 0; i < SAMPLES(1000000); ++i)
+	for (i = 0; i < TEST_SAMPLES(1000000); ++i)
 		sincos_measure(&w, random_in(&state, -1e4f, 1e4f));
-	for (i = 0; i < SAMPLES(600000); ++i)
+	for (i = 0; i < TEST_SAMPLES(600000); ++i)
 		sincos_measure(&w, random_in(&state, -7.0f, 7.0f));
 	/* All magnitudes down to denormals. */
-	for (i = 0; i < SAMPLES(400000); ++i) {
+	for (i = 0; i < TEST_SAMPLES(400000); ++i) {
 		float x = float_of(random_next(&state));
 
 		if (fabsf(x) <= 1e4f)
@@ -97,13 +90,13 @@ static void t_sincos_any_finite(void)
 	uint32_t state = 2;
 	int32_t i;
 
-	for (i = 0; i < SAMPLES(500000); ++i) {
+	for (i = 0; i < TEST_SAMPLES(500000); ++i) {
 		float x = float_of((random_next(&state) & 0x80FFFFFFu) | ((0x46u + random_next(&state) % 0x3Au) << 24));
 
 		if (isfinite(x) && fabsf(x) > 1e4f)
 			sincos_measure(&w, x);
 	}
-	for (i = 0; i < SAMPLES(300000); ++i)
+	for (i = 0; i < TEST_SAMPLES(300000); ++i)
 		sincos_measure(&w, random_in(&state, -1e6f, 1e6f));
 	sincos_measure(&w, FLT_MAX);
 	sincos_measure(&w, -FLT_MAX);
@@ -175,14 +168,14 @@ static void t_atan2_error(void)
 	uint32_t state = 4;
 	int32_t i;
 
-	for (i = 0; i < SAMPLES(1000000); ++i)
+	for (i = 0; i < TEST_SAMPLES(1000000); ++i)
 		w = greater(w, atan2_error(random_in(&state, -1.0f, 1.0f), random_in(&state, -1.0f, 1.0f)));
-	for (i = 0; i < SAMPLES(500000); ++i) {
+	for (i = 0; i < TEST_SAMPLES(500000); ++i) {
 		double turn = (i - 250000) * (PI_D / 250000.0);
 
 		w = greater(w, i == 0 ? 0 : atan2_error((float)(3 * sin(turn)), (float)(3 * cos(turn))));
 	}
-	for (i = 0; i < SAMPLES(500000); ++i) {
+	for (i = 0; i < TEST_SAMPLES(500000); ++i) {
 		float y = float_of(random_next(&state)), x = float_of(random_next(&state));
 
 		/* A negative y that vanishes beside x still lies above -pi; a y of -0 counts as 0. */
@@ -223,8 +216,8 @@ static void t_rot_small_error(void)
 	for (k = 0; k < 4; ++k) {
 		worst w = {0, 0};
 
-		for (i = -200000; i <= 200000; ++i)
-			rot_small_measure(&w, limits[k] * ((float)i / 200000.0f));
+		for (i = -TEST_SAMPLES(200000); i <= TEST_SAMPLES(200000); ++i)
+			rot_small_measure(&w, limits[k] * ((float)i / TEST_SAMPLES(200000.0f)));
 		CHECK_LE(names[k], w.component, bounds[k], "");
 		CHECK_LE("distance from unit length", w.length, 3e-7, "");
 	}
@@ -249,7 +242,7 @@ static void t_wrap_angle(void)
 	uint32_t state = 6;
 	int32_t i, changed = 0, d;
 
-	for (i = 0; i < SAMPLES(500000); ++i) {
+	for (i = 0; i < TEST_SAMPLES(500000); ++i) {
 		float a = random_in(&state, -CNI_PI, CNI_PI);
 
 		w = greater(w, wrap_error(random_in(&state, -1e5f, 1e5f)));
@@ -340,7 +333,7 @@ static void t_sincos_of_lanes_has_the_same_bits(void)
 	CNI_ALIGNED(16) float angles[CNI_WIDTH], c[CNI_WIDTH], s[CNI_WIDTH];
 	uint32_t state = 11;
 	int32_t i, l, wrong = 0, tiny = 0;
-	for (i = 0; i < SAMPLES(400000); ++i) {
+	for (i = 0; i < TEST_SAMPLES(400000); ++i) {
 		cni_wide cosine, sine;
 		for (l = 0; l < CNI_WIDTH; ++l) {
 			float x = i & 1 ? float_of(random_next(&state)) : random_in(&state, -CNI_NEAR_RAD, CNI_NEAR_RAD);

@@ -8,7 +8,11 @@
 #include "base/threads.h"
 #include "test.h"
 
+#ifdef TEST_EMULATED
+#define ITEMS 1000
+#else
 #define ITEMS 5000
+#endif
 #ifdef TEST_SLOW
 #define CHAIN_STEPS 200
 #define IDLE_TURNS 300000 /* each takes at least ten times as long under a sanitizer */

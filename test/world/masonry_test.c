@@ -262,7 +262,7 @@ static void t_arches_whose_stones_overlap_stand(void)
 {
 	int32_t fallen = 0, k;
 	uint32_t seed;
-	for (seed = 1; seed <= 24; ++seed) {
+	for (seed = 1; seed <= TEST_MANY(24); ++seed) {
 		masonry m;
 		int32_t low = 0;
 		begin(&m, CN_SOLVER_AUTO, 4, seed);
@@ -334,7 +334,7 @@ static void t_arches_that_are_struck_stand(void)
 	int32_t k, fallen = 0;
 	for (k = 0; k < TRIED; ++k) {
 		uint32_t seed;
-		for (seed = 1; seed <= 20; ++seed)
+		for (seed = 1; seed <= TEST_MANY(20); ++seed)
 			fallen += stand_struck(substeps_tried[k], seed) > 0.05;
 	}
 	CHECK_LE("of 20 arches at 5 numbers of substeps, those that fall", fallen, 8, "");
