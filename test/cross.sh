@@ -4,7 +4,7 @@
 # world/determinism_test, the numbers of arch/hashes_test, the bytes of save/file_test, and the tests of base/; for WebAssembly, which is
 # quick, those of geometry/ instead.
 #
-# Golden scenes that are large run on wasm32 only: they take as long as all others together.
+# Golden scenes that are large run on aarch64 and wasm32 only: they take as long as all others together.
 # Two targets run at a time. Ends with one line "N passed, N failed, N skipped". A target whose compiler or emulator is missing is skipped.
 set -u
 unset MAKEFLAGS MFLAGS MAKELEVEL

@@ -146,7 +146,7 @@ amalgamation_compiles() {
 }
 no_gnu_compiles() {
 	for compiler in gcc clang-19; do
-		"$compiler" -std=c99 -pedantic -Wall -Wextra -Wno-unused-function -Werror -include bindings/test/no_gnu.h -fsyntax-only "$amalgamated" || return 1
+		"$compiler" -std=c99 -pedantic -Wall -Wextra -Wshadow -Wconversion -Wdouble-promotion -Wno-unused-function -Werror -include bindings/test/no_gnu.h -fsyntax-only "$amalgamated" || return 1
 	done
 }
 golden_with() { # compiler folder object...: the golden scenes with these objects of the library
