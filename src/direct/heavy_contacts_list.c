@@ -1,6 +1,7 @@
 /*
  * direct/heavy_contacts_list.c - which contacts direct/heavy_contacts.c solves with the joints of a component: those of its bodies with
- * heavier ones that bear much, or may meet in this step; with static bodies under extreme loads; those that bounce.
+ * heavier ones that bear much, or may meet in this step; with bodies of like mass that other joints hold, where both sink in; with static
+ * bodies under extreme loads; those that bounce.
  *
  * Reads contacts, lanes, motion; writes the list of heavy contacts of the step.
  */
@@ -38,6 +39,13 @@ static cni_heavy_contact heavy_make(const cn_world *world, const cni_solve *s, i
 	return h;
 }
 
+/* 1: a point of the lane bears more than an impulse that gives its bodies this speed. */
+static int32_t bears(const cni_contact_block *block, int32_t lane, float speed)
+{
+	const cni_contact_row *p = block->p;
+	return p[0].jn[lane] > speed * p[0].nm[lane] || p[1].jn[lane] > speed * p[1].nm[lane];
+}
+
 /* 1: it bears more than a few weights, or it bears nothing and its points may meet in this step. With a static body only extreme loads count,
    as those of a rope that carries 2,000 links over a peg, and impacts: the heavy end of a lever follows when its light arm hits the ground.
    Of a slow component all contacts count alike: it is to come to rest. */
@@ -50,11 +58,10 @@ static int32_t is_pressed(const cn_world *world, const cni_solve *s, int32_t con
 	const cni_contact_row *rows = block->p;
 	const cni_motion *a = cni_motions(world) + block->ia[l], *b = cni_motions(world) + block->ib[l];
 	cni_direct_contact p;
-	for (k = 0; k < 2; ++k) {
-		if (rows[k].jn[l] > speed * rows[k].nm[l])
-			return 1;
+	if (bears(block, l, speed))
+		return 1;
+	for (k = 0; k < 2; ++k)
 		idle |= (rows[k].nm[l] > 0.0f && !(rows[k].jn[l] > 0.0f)) << k;
-	}
 	if (idle == 0)
 		return 0;
 	cni_direct_contact_read(world, cni_contact_at(world, contact), &p);
@@ -66,6 +73,17 @@ static int32_t is_pressed(const cn_world *world, const cni_solve *s, int32_t con
 			return 1;
 	}
 	return 0;
+}
+
+/* 1: the contact with a body of like mass is the lighter one's to list, and what presses from behind lets it sink in: it overlaps, and bears much. */
+static int32_t is_squeezed(const cn_world *world, const cni_solve *s, int32_t contact, int32_t index, int32_t other)
+{
+	float inv_mass = cni_motions(world)[index].inv_mass, of_other = cni_motions(world)[other].inv_mass, deep = -CNI_HEAVY_LIKE_SLOPS * world->settings.slop;
+	int32_t slot = cni_contact_at(world, contact)->slot, l = slot % CNI_LANES;
+	const cni_contact_block *block = cni_block_at(world, slot / CNI_LANES);
+	if (inv_mass < of_other || (inv_mass == of_other && index > other) || (block->p[0].s0[l] > deep && block->p[1].s0[l] > deep))
+		return 0;
+	return bears(block, l, CNI_HEAVY_LIKE_STRESS * cni_length(world->settings.gravity) * s->h);
 }
 
 /* 1: the component could be in a batch with others of its class that have no contacts that are solved here. */
@@ -91,6 +109,7 @@ static void body_contacts_list(const cn_world *world, const cni_solve *s, cni_sp
 		if (!cni_contact_has_lane(c))
 			continue;
 		--left;
+		light = light && !is_squeezed(world, s, key >> 1, index, other->awake);
 		if ((light && *cni_heavy_restitution(world, key >> 1) <= 0.0f) || cni_direct_lane_is_locked(world, c))
 			continue;
 		/* A jointed body that is not heavier is in a component that could list the contact itself. */

@@ -95,9 +95,9 @@ CNI_TUNING_FLOAT(CNI_ROUND_PER_SLOP, 0.01f)
 /* Restitution above which impacts are left to the next substep. A lower restitution returns a quarter of the energy at most, and crowds
    that are pressed together are held apart sooner. */
 CNI_TUNING_FLOAT(CNI_BOUNCE_DELAY_RESTITUTION, 0.5f)
-/* Substeps. A contact that overlaps after more of them is braked. A body of 0.1 kg hinged to a falling one of 0.5 kg bounced in each
-   substep, was pulled back in the same, and went through a floor. With 4, crowds of elastic discs lose 0.5% of their energy in the
-   test, with 8 half of that. */
+/* Substeps. A contact of restitution 1 that overlaps after more of them is braked; with less, after fewer: in proportion to the square of what it
+   is above CNI_BOUNCE_DELAY_RESTITUTION. A body of 0.1 kg hinged to a falling one of 0.5 kg bounced in each substep, was pulled back in the same,
+   and went through a floor. With 4, crowds of elastic discs lose 0.5% of their energy in the test, with 8 a sixth of that. */
 CNI_TUNING_FLOAT(CNI_BOUNCE_MISSED_SUBSTEPS, 8.0f)
 /* Times static friction: what a contact that sticks may need in a pass. With 1 boxes slid that were pushed at once with 78 to 90% of static
    friction, and on slopes of 97%. */
@@ -222,6 +222,9 @@ CNI_TUNING_FLOAT(CNI_HEAVY_CONTACT_STRESS, 10.0f)
 /* The same of contacts with static bodies. With 100 loaded chains in heaps overlap by 13% more, as links that the ground does not let yield
    press on others; with 1000 ropes over pegs gain half as much. */
 CNI_TUNING_FLOAT(CNI_HEAVY_STATIC_STRESS, 300.0f)
+/* The same, with a body of like mass into which it has sunk by this many slops. At any depth ragdolls take 1.2 times as long. */
+CNI_TUNING_FLOAT(CNI_HEAVY_LIKE_STRESS, 60.0f)
+CNI_TUNING_FLOAT(CNI_HEAVY_LIKE_SLOPS, 4.0f)
 /* The same, with any body, of a component in which no body is faster than CNI_HEAVY_SLOW_SPEED (length units a second). A light foot under a
    frame is an oscillator that the kernel, which knows the foot's mass alone, does not damp: of 320 tables, cars, frames and linkages set down
    102 still moved after 20 s, 22 with this. */

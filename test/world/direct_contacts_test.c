@@ -4,7 +4,7 @@
  * hold.
  *
  * If a test here fails, run linear/sparse and world/direct first. Then look in: direct/solver_selection.c and direct_contacts.c,
- * joint_projection.c (hard stops), direct_joints.c (loaded bridges), heavy_contacts.c (light boards and arms).
+ * joint_projection.c (hard stops), direct_joints.c (loaded bridges), heavy_contacts.c (light boards and arms, chains in heaps).
  */
 #include "direct.h"
 
@@ -523,6 +523,56 @@ static void heavy_boxes_share_a_deck(void)
 	}
 }
 
+/* ---- chains that are pressed into each other ---- */
+
+static void add_chain_of_discs(scene *s, uint32_t *random, float y)
+{
+	float x = -1.3f + fixture_random(random, 0.0f, 0.3f);
+	int32_t k;
+	for (k = 0; k < 6; ++k) {
+		cn_body disc = keep(s, fixture_circle(s->world, CN_BODY_DYNAMIC, x + 0.42f * (float)k, y, 0.2f, 0.5f, 0.0f));
+		weigh(s, disc, fixture_random(random, 0.8f, 2.2f));
+		if (k > 0)
+			pin(s, s->bodies[s->body_count - 2], at(0.21f, 0.0f), disc, at(-0.21f, 0.0f));
+	}
+}
+
+/* Six chains of six discs between two walls, of nearly equal masses; two balls of 80 times a disc's mass fall on them. Returns the greatest overlap. */
+static double chain_heap_run(int32_t solver, uint32_t seed)
+{
+	scene s = scene_open(GRAVITY, 0, solver);
+	uint32_t random = seed;
+	double overlap = 0.0;
+	int32_t k;
+	keep(&s, fixture_floor(s.world, 0.5f, 0.0f));
+	for (k = -1; k <= 1; k += 2)
+		keep(&s, fixture_box(s.world, CN_BODY_STATIC, 2.1f * (float)k, 5.0f, 0.0f, 0.3f, 6.0f, 0.3f, 0.0f));
+	for (k = 0; k < 6; ++k)
+		add_chain_of_discs(&s, &random, 0.5f + 0.5f * (float)k);
+	for (k = 0; k < 2; ++k)
+		weigh(&s, keep(&s, fixture_circle(s.world, CN_BODY_DYNAMIC, fixture_random(&random, -1.0f, 1.0f), 5.0f + 2.0f * (float)k, 0.5f, 0.5f, 0.0f)), 13.0f);
+	for (k = 0; k < 240; ++k) {
+		fixture_step(s.world, 1);
+		overlap = greater(overlap, (double)fixture_penetration(s.world, s.bodies, s.body_count));
+	}
+	scene_close(&s);
+	return overlap;
+}
+
+/* The links bear each other as the ground does, but as free bodies they would yield by what their own masses are too light for. */
+static void heavy_balls_press_no_chains_into_each_other(void)
+{
+	const int32_t seeds = TEST_MANY(20);
+	double direct = 0.0, soft = 0.0;
+	int32_t seed;
+	for (seed = 1; seed <= seeds; ++seed) {
+		direct += chain_heap_run(CN_SOLVER_AUTO, (uint32_t)seed) / (double)seeds;
+		soft += chain_heap_run(CN_SOLVER_SOFT, (uint32_t)seed) / (double)seeds;
+	}
+	CHECK_LE("greatest overlap, mean", direct, 0.07, "m");
+	CHECK_LE("greatest overlap, mean, over that of soft constraints", direct / soft, 0.8, "");
+}
+
 int main(int argc, char **argv)
 {
 	test_begin(argc, argv);
@@ -535,6 +585,7 @@ int main(int argc, char **argv)
 	RUN(heavy_boxes_lie_on_light_boards);
 	RUN(light_boards_bear_what_stands);
 	RUN(heavy_boxes_share_a_deck);
+	RUN(heavy_balls_press_no_chains_into_each_other);
 	RUN(boxes_bounce_off_jointed_boards);
 	RUN(light_arms_throw_no_heavy_boxes);
 	return test_end();
