@@ -60,7 +60,7 @@ uint64_t cni_direct_bytes(int32_t solver, int32_t joints, int32_t contacts, int3
 	if (links == 0 || solver == CN_SOLVER_SOFT || solver == CN_SOLVER_SEQUENTIAL)
 		return 0;
 	return cni_tree_batch_bytes(joints) + link * (uint64_t)links + (sizeof(cni_direct_contact) + sizeof(int32_t)) * (uint64_t)taken +
-	       2 * sizeof(cni_marked_lanes) * (uint64_t)contacts + (sizeof(float) + sizeof(cni_rot) + sizeof(int32_t)) * (uint64_t)(bodies + 1) + 896 + cni_heavy_bytes(contacts, links) + cni_sparse_bytes(links, bodies + 1, work);
+	       2 * sizeof(cni_marked_lanes) * (uint64_t)contacts + (sizeof(float) + sizeof(cni_rot) + sizeof(int32_t)) * (uint64_t)(bodies + 1) + 896 + cni_heavy_bytes(contacts, joints) + cni_sparse_bytes(links, bodies + 1, work);
 }
 
 /* ---- joints ---- */
@@ -262,7 +262,7 @@ static int32_t scratch_take(cn_world *world, cni_sparse *out, int32_t contacts)
 	out->projections = (cni_projection *)cni_arena_push(arena, sizeof(cni_projection) * (uint64_t)out->component_count);
 	out->projection_marks = (cni_marked_lanes *)cni_arena_push(arena, 2 * sizeof(cni_marked_lanes) * (uint64_t)world->touching_count); /* each at two bodies */
 	out->projection_of = (int32_t *)cni_arena_push(arena, sizeof(int32_t) * bodies);
-	out->heavies = (cni_heavy_contact *)cni_arena_push(arena, sizeof(cni_heavy_contact) * (uint64_t)cni_heavy_contacts_room(world->touching_count));
+	out->heavies = (cni_heavy_contact *)cni_arena_push(arena, sizeof(cni_heavy_contact) * (uint64_t)cni_heavy_contacts_room(world->touching_count, world->awake_joints.count));
 	return out->contacts != NULL && out->heavies != NULL && out->saved != NULL && out->pull != NULL && out->turn != NULL && out->projections != NULL && out->projection_marks != NULL && out->projection_of != NULL;
 }
 

@@ -8,7 +8,7 @@
 #include "direct/direct_contact.h"
 #include "direct/direct_system.h"
 
-#define CNI_HEAVY_CONTACTS_MOST 32 /* in a step */
+#define CNI_HEAVY_CONTACTS_FREE 32 /* in a step, and one more for each joint */
 #define CNI_HEAVY_ROWS 3  /* of a contact: two points, friction */
 #define CNI_HEAVY_LANES 4 /* ... places for them in vectors of speeds, the last zero */
 
@@ -35,10 +35,10 @@ typedef struct cni_heavy_group {
 
 #define CNI_HEAVY_POINT_BYTES (sizeof(cni_direct_contact) + CNI_HEAVY_LANES * (sizeof(cni_lever) + 3 * sizeof(float))) /* of a contact at work */
 
-/* Room for them in a step with this number of touching contacts: those of two bodies of components may be listed at both. */
-static inline int32_t cni_heavy_contacts_room(int32_t touching)
+/* Room for them in a step with these touching contacts, of which those of two bodies of components may be listed at both, and joints. */
+static inline int32_t cni_heavy_contacts_room(int32_t touching, int32_t joints)
 {
-	return cni_min_i(touching, CNI_HEAVY_CONTACTS_MOST / 2) * 2;
+	return cni_min_i(touching, (CNI_HEAVY_CONTACTS_FREE + joints) / 2) * 2;
 }
 /* Floats in which the response of a group is found: y of each row, z of one and where it is not zero (cni_sparse_halves). */
 static inline int32_t cni_heavy_half_floats(int32_t contacts, int32_t nodes)
@@ -48,11 +48,11 @@ static inline int32_t cni_heavy_half_floats(int32_t contacts, int32_t nodes)
 /* Bound on their scratch memory with this number of joints: each may be a group, and one group may have CNI_HEAVY_COMPONENT_MOST. */
 static inline uint64_t cni_heavy_bytes(int32_t touching, int32_t joints)
 {
-	int32_t most = cni_min_i(CNI_HEAVY_COMPONENT_MOST, cni_heavy_contacts_room(touching));
+	int32_t room = cni_heavy_contacts_room(touching, joints), most = cni_min_i(CNI_HEAVY_COMPONENT_MOST, room);
 	int32_t rows = CNI_HEAVY_ROWS * most * cni_min_i(joints, CNI_HEAVY_CONTACT_BLOCKS / cni_max_i(most, 1) + 1); /* of all halves: nodes are no more than blocks */
 	uint64_t halves = sizeof(float) * CNI_NODE_LANES * (uint64_t)(most > 0 ? rows + 2 * joints : 0);
-	uint64_t response = CNI_HEAVY_ROWS * CNI_HEAVY_LANES * sizeof(float) * (uint64_t)CNI_HEAVY_COMPONENT_MOST;
-	return halves + (sizeof(cni_heavy_contact) + sizeof(cni_heavy_group) + CNI_HEAVY_POINT_BYTES + response) * (uint64_t)cni_heavy_contacts_room(touching) + 48;
+	uint64_t response = CNI_HEAVY_ROWS * CNI_HEAVY_LANES * sizeof(float) * (uint64_t)most;
+	return halves + CNI_HEAVY_POINT_BYTES * (uint64_t)most + (sizeof(cni_heavy_contact) + sizeof(cni_heavy_group) + response) * (uint64_t)room + 48;
 }
 
 static inline int32_t cni_heavy_bounces(const cni_heavy_contact *h) { return h->bounce[0] + h->bounce[1] > 0.0f; }

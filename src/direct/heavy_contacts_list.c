@@ -109,7 +109,7 @@ static void body_contacts_list(const cn_world *world, const cni_solve *s, cni_sp
 		if (!cni_contact_has_lane(c))
 			continue;
 		--left;
-		light = light && !is_squeezed(world, s, key >> 1, index, other->awake);
+		light = light && (sparse->heavy_count >= CNI_HEAVY_CONTACTS_FREE || !is_squeezed(world, s, key >> 1, index, other->awake));
 		if ((light && *cni_heavy_restitution(world, key >> 1) <= 0.0f) || cni_direct_lane_is_locked(world, c))
 			continue;
 		/* A jointed body that is not heavier is in a component that could list the contact itself. */
@@ -173,7 +173,7 @@ int32_t cni_heavy_contacts_list(const cn_world *world, const cni_solve *s, cni_s
 	batchable = is_batchable(sparse, c);
 	ratio = batchable ? CNI_SELECTION_MASS_RATIO : 1.0f; /* else only bodies that may crush its own: ragdolls would take 4 times as long as soft ones instead of 2.1 times */
 	slow = is_slow(world, sparse, c, batchable);
-	most = cni_min_i(first + cni_heavy_contacts_most(sparse, c), cni_heavy_contacts_room(world->touching_count));
+	most = cni_min_i(first + cni_heavy_contacts_most(sparse, c), cni_heavy_contacts_room(world->touching_count, world->awake_joints.count));
 	for (k = c->body_begin; k < c->body_end; ++k)
 		if (cni_externals(world)[sparse->bodies[k]].flags & CNI_EXTERNAL_TOUCHED)
 			body_contacts_list(world, s, sparse, component, sparse->bodies[k], ratio, most, slow);
