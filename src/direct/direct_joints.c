@@ -155,12 +155,17 @@ static void soften_for(cn_world *world, cni_sparse *sparse, cni_component *c, in
 }
 
 /* A component with a joint that was torn open, by a body that was put elsewhere or by moving parts that pull it apart: exact joints turn
-   its bodies so far while they close the gap that linear systems say nothing of it. It is soft until the gap is closed. So is a row between two
-   fixed ends that may be too straight to close. */
-static int32_t is_torn(const cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c)
+   its bodies so far while they close the gap that linear systems say nothing of it. It is soft until the gap is closed. */
+static int32_t is_torn(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
-	int32_t row = c->uses_rattle && is_row(c, cni_component_held(world, sparse, c));
-	return !c->has_contacts && (row ? is_open(world, s, sparse, c) : widest_gap(world, sparse, c) > CNI_JOINT_TORN * world->settings.length_unit);
+	return !c->has_contacts && widest_gap(world, sparse, c) > CNI_JOINT_TORN * world->settings.length_unit;
+}
+
+/* A row between two fixed ends that may be too straight to close. It is soft until it is closed, also when something touches it meanwhile
+   (was_soft). */
+static int32_t is_open_row(const cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c)
+{
+	return c->uses_rattle && is_row(c, cni_component_held(world, sparse, c)) && is_open(world, s, sparse, c);
 }
 
 /* A net of ropes that are too long: exact ones would lift its load by all that they are, and let other parts of the net go slack. */
@@ -278,10 +283,12 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 		c->uses_rattle = CNI_ON(RATTLE) && !c->has_contacts && cni_component_uses_rattle(world, s, out, c);
 		if (is_stretched_net(world, s, out, c)) {
 			net_release(world, out, c);
-		} else if (is_torn(world, s, out, c)) {
+		} else if (is_torn(world, out, c)) {
 			impulses_soften(world, out, c);
 			cni_component_release(world, out, c);
-		} else if (is_contradictory(world, out, c) || loop_is_better_soft(world, s, out, c))
+		} else if (is_open_row(world, s, out, c))
+			soften_for(world, out, c, 1);
+		else if (is_contradictory(world, out, c) || loop_is_better_soft(world, s, out, c))
 			soften_for(world, out, c, CNI_TRUST_MOST);
 		else if (is_ill_scaled(world, s, out, c))
 			soften_for(world, out, c, 0);
