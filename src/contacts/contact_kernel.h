@@ -120,19 +120,17 @@ CNI_INLINE point point_prepare(const cni_contact_block *k, const cni_contact_row
 		q.target += (1.0f - scale) * cni_wide_min(cni_wide_load(p->load + l), q.old);
 	if (!bias || bounces != NULL) {
 		/* Impacts belong to restitution.c. If its sweeps find that bodies do not meet in this substep, they meet in the next, and
-		   braking would take the speed that the impact there should return. A contact that overlaps by more than it closes in a few
-		   substeps is braked: other constraints of its bodies undo its impacts. The less its impacts return, the fewer. Below
-		   CNI_BOUNCE_DELAY_RESTITUTION the soft pass brakes it. */
-		cni_mask left = (vn < cni_wide_of(pass->impact_speed)) & (q.old <= zero);
-		if (bounces != NULL) {
-			cni_wide e = cni_wide_load_loose(bounces + l);
-			cni_wide over = cni_wide_max((e - CNI_BOUNCE_DELAY_RESTITUTION) * (1.0f / (1.0f - CNI_BOUNCE_DELAY_RESTITUTION)), zero);
-			left &= s * pass->inv_h > CNI_BOUNCE_MISSED_SUBSTEPS * over * over * vn;
-			if (bias)
-				left &= e > cni_wide_of(CNI_BOUNCE_DELAY_RESTITUTION);
-		} else {
-			left &= s > zero;
-		}
+		   braking would take the speed that the impact there should return. At low restitution only the relax pass skips the contact,
+		   and only while the bodies are apart: the next substep reaches the surface. A contact that overlaps by more than it closes in
+		   CNI_BOUNCE_MISSED_SUBSTEPS substeps is braked: another constraint of its bodies, such as a joint, undoes its impacts. */
+		cni_mask left = (vn < cni_wide_of(pass->impact_speed)) & (q.old <= zero), apart = s > zero;
+		if (bounces != NULL && bias)
+			left &= (cni_wide_load_loose(bounces + l) > cni_wide_of(CNI_BOUNCE_DELAY_RESTITUTION)) &
+				(s * pass->inv_h > CNI_BOUNCE_MISSED_SUBSTEPS * vn);
+		else if (bounces != NULL)
+			left &= apart | (cni_wide_load_loose(bounces + l) > cni_wide_of(CNI_BOUNCE_DELAY_RESTITUTION));
+		else
+			left &= apart;
 		part = cni_wide_select(left, zero, one);
 		q.m = part * q.m;
 		q.target = part * q.target + zero; /* not -0 */

@@ -95,9 +95,9 @@ CNI_TUNING_FLOAT(CNI_ROUND_PER_SLOP, 0.01f)
 /* Restitution above which impacts are left to the next substep. A lower restitution returns a quarter of the energy at most, and crowds
    that are pressed together are held apart sooner. */
 CNI_TUNING_FLOAT(CNI_BOUNCE_DELAY_RESTITUTION, 0.5f)
-/* Substeps. A contact of restitution 1 that overlaps after more of them is braked; with less, after fewer: in proportion to the square of what it
-   is above CNI_BOUNCE_DELAY_RESTITUTION. A body of 0.1 kg hinged to a falling one of 0.5 kg bounced in each substep, was pulled back in the same,
-   and went through a floor. With 4, crowds of elastic discs lose 0.5% of their energy in the test, with 8 a sixth of that. */
+/* Substeps. A contact that overlaps after more of them is braked. A body of 0.1 kg hinged to a falling one of 0.5 kg bounced in each
+   substep, was pulled back in the same, and went through a floor. With 4, crowds of elastic discs lose 0.5% of their energy in the
+   test, with 8 half of that. */
 CNI_TUNING_FLOAT(CNI_BOUNCE_MISSED_SUBSTEPS, 8.0f)
 /* Times static friction: what a contact that sticks may need in a pass. With 1 boxes slid that were pushed at once with 78 to 90% of static
    friction, and on slopes of 97%. */

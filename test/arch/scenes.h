@@ -18,12 +18,12 @@ typedef struct arch_scene {
 
 #define ARCH_SCENES 8
 static const arch_scene arch_scenes[ARCH_SCENES] = {
-	{ "shapes", scene_shapes, 0x1662dc41598c5a65 },
+	{ "shapes", scene_shapes, 0x4cbfae011f1d3379 },
 	{ "joints", scene_joints, 0xf556e3847e4d26db },
 	{ "direct", scene_direct, 0xff7bf5f1e7000290 },
 	{ "tiers", scene_tiers, 0x2726bcc5a63e53d7 },
 	{ "sequential", scene_sequential, 0x8420c332fa1de2a4 },
-	{ "queries", scene_queries, 0x828839975eacb7c1 },
+	{ "queries", scene_queries, 0xb79cb4644a093b1c },
 	{ "events", scene_events, 0x310d33f10c1e09ac },
 	{ "file", scene_file, 0x6a32644074ee431b },
 };

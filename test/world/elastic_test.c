@@ -135,70 +135,9 @@ static void pairs_bounce_by_the_law(void)
 	CHECK_LE("speed after the impact", worst, ROUNDING, "m/s");
 }
 
-/* A chain of 2 to 6 balls of masses 1 to 300 kg that falls on the ground at 2 to 12 m/s. Returns the deepest that a ball sinks in. */
-static double chain_drop(uint32_t seed, float restitution)
-{
-	cn_world *world = fixture_world(-10.0f, 1);
-	cn_body balls[6], before = 0;
-	uint32_t random = 1000u + 17u * seed;
-	int32_t count = 2 + (int32_t)fixture_random(&random, 0.0f, 4.99f), k, step;
-	float speed = fixture_random(&random, 2.0f, 12.0f), x = 0.0f, y = 3.0f, dx = 0.0f, dy = 0.0f;
-	double deepest = 0.0;
-	must(cn_world_set_solver(world, CN_SOLVER_SOFT), world, "cn_world_set_solver");
-	fixture_floor(world, 0.3f, restitution);
-	for (k = 0; k < count; ++k, before = balls[k - 1]) {
-		cn_mass_data mass;
-		double angle;
-		balls[k] = fixture_circle(world, CN_BODY_DYNAMIC, x, y, 0.25f, 0.3f, restitution);
-		must(cn_body_get_mass_data(world, balls[k], &mass), world, "cn_body_get_mass_data");
-		mass.inertia_kgm2 /= mass.mass_kg;
-		mass.mass_kg = (float)exp((double)fixture_random(&random, 0.0f, 5.7f));
-		mass.inertia_kgm2 *= mass.mass_kg;
-		must(cn_body_set_mass_data(world, balls[k], &mass), world, "cn_body_set_mass_data");
-		fixture_set_velocity(world, balls[k], 0.0f, -speed, 0.0f);
-		if (k > 0) {
-			cn_revolute_def def;
-			cn_joint joint;
-			cn_revolute_def_init(&def);
-			def.base.body_a = before;
-			def.base.body_b = balls[k];
-			def.base.anchor_a_m.x = 0.5f * dx;
-			def.base.anchor_a_m.y = 0.5f * dy;
-			def.base.anchor_b_m.x = -0.5f * dx;
-			def.base.anchor_b_m.y = -0.5f * dy;
-			must(cn_joint_create_revolute(world, &def, &joint), world, "cn_joint_create_revolute");
-		}
-		angle = (double)fixture_random(&random, -3.0f, 3.0f);
-		x += dx = (float)(0.5 * cos(angle));
-		y += dy = (float)(0.5 * sin(angle));
-	}
-	for (step = 0; step < 120; ++step) {
-		fixture_step(world, 1);
-		for (k = 0; k < count; ++k)
-			deepest = greater(deepest, 0.25 - (double)fixture_pose(world, balls[k]).position_m.y);
-	}
-	cn_world_destroy(world);
-	return deepest;
-}
-
-/* Joints undo impacts: a ball that bounces is pulled back in the same substep, again and again, and must not sink in meanwhile. */
-static void chains_that_bounce_do_not_sink_in(void)
-{
-	const int32_t seeds = 60;
-	double sum[2] = { 0.0, 0.0 };
-	int32_t seed;
-	for (seed = 0; seed < seeds; ++seed) {
-		sum[0] += chain_drop((uint32_t)seed, 0.6f) / (double)seeds;
-		sum[1] += chain_drop((uint32_t)seed, 0.8f) / (double)seeds;
-	}
-	CHECK_LE("depth at restitution 0.6, mean", sum[0], 0.006, "m");
-	CHECK_LE("depth at restitution 0.8, mean", sum[1], 0.007, "m");
-}
-
 int main(void)
 {
 	RUN(crowds_keep_their_energy);
 	RUN(pairs_bounce_by_the_law);
-	RUN(chains_that_bounce_do_not_sink_in);
 	return test_end();
 }
