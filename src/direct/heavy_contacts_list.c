@@ -1,7 +1,7 @@
 /*
  * direct/heavy_contacts_list.c - which contacts direct/heavy_contacts.c solves with the joints of a component: those of its bodies with
- * heavier ones that bear much, or may meet in this step; with bodies of like mass that other joints hold, where both sink in; with static
- * bodies under extreme loads; those that bounce.
+ * heavier ones that bear much, or may meet in this step; with bodies of like mass that are pressed deep into them; with static bodies under
+ * extreme loads; those that bounce.
  *
  * Reads contacts, lanes, motion; writes the list of heavy contacts of the step.
  */
@@ -75,7 +75,7 @@ static int32_t is_pressed(const cn_world *world, const cni_solve *s, int32_t con
 	return 0;
 }
 
-/* 1: the contact with a body of like mass is the lighter one's to list, and what presses from behind lets it sink in: it overlaps, and bears much. */
+/* 1: the contact with a body of like mass, free or jointed, overlaps and bears much, and index is the lighter of the two, which lists it. */
 static int32_t is_squeezed(const cn_world *world, const cni_solve *s, int32_t contact, int32_t index, int32_t other)
 {
 	float inv_mass = cni_motions(world)[index].inv_mass, of_other = cni_motions(world)[other].inv_mass, deep = -CNI_HEAVY_LIKE_SLOPS * world->settings.slop;

@@ -402,8 +402,6 @@ static void heavy_boxes_lie_on_light_boards(void)
 	heavy_box_run("conveyors of -0.1 m/s", 0.0f, 0.0f, -0.1f, 1e-3);
 }
 
-/* A cantilever is as good as fixed: what falls on it from 2 m rises again to restitution^2 * 2 m. Impacts of free bodies would end with the
-   boards, which the joints stop. */
 /* As many machines as the scene has: 20 cantilevers, each with a box. With room for 32 contacts in a step the 17th box sank in by 0.17 m. */
 static void each_of_many_boxes_lies_on_its_boards(void)
 {
@@ -422,6 +420,8 @@ static void each_of_many_boxes_lies_on_its_boards(void)
 	scene_close(&s);
 }
 
+/* A cantilever is as good as fixed: what falls on it from 2 m rises again to restitution^2 * 2 m. Impacts of free bodies would end with the
+   boards, which the joints stop. */
 static void boxes_bounce_off_jointed_boards(void)
 {
 	const float factors[] = { 0.1f, 0.5f, 1.0f, 10.0f, 100.0f, 1000.0f };
