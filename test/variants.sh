@@ -19,7 +19,7 @@ command -v python3 >/dev/null 2>&1 || amalgamated=
 results=$build/parts
 # The longest first, so that the last two end together; amalgamation and release, which write the same file, apart.
 parts='clang-address cross plain amalgamation clang-memory release helgrind clang-thread native ablation no-threads
-	embedded work header-cxx header-padding check-links check-docs testbed-web mutations-apply'
+	embedded work header-cxx header-padding check-links check-peers check-docs testbed-web mutations-apply'
 
 # ---------------------------------------------------------------- of one part
 
@@ -290,6 +290,7 @@ run_part() {
 		check-docs) check_docs ;;
 		testbed-web) testbed_web ;;
 		check-links) check check-links sh test/check_links.sh ;;
+		check-peers) check check-peers sh test/check_peers.sh ;;
 		mutations-apply) check mutations-apply sh test/mutation.sh --check ;;
 		*) echo "there is no part $part"; add "$part" 0 1 0 ;;
 	esac

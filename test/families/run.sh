@@ -27,7 +27,8 @@ mkdir -p "$build/families"
 # shellcheck disable=SC2086
 $CC -std=c99 $strict $optimise -Iinclude -c $chart/peer.c -o "$build/families/peer.o" &&
 	$CC -std=gnu17 $strict $optimise -Iinclude -isystem "$build/peers/source/box2d/include" -c $chart/peer_box2d.c -o "$build/families/peer_box2d.o" &&
-	$CC "$build"/release/test/families/*.o "$build/families/peer.o" "$build/families/peer_box2d.o" "$library" -lpthread -ldl -lm -o "$build/bin/families_box2d" ||
+	$CC -std=c99 $strict $optimise -Iinclude -c test/families/peer/meddle.c -o "$build/families/peer_meddle.o" &&
+	$CC $(ls "$build"/release/test/families/*.o | grep -v /meddle.o) "$build/families/peer_meddle.o" "$build/families/peer.o" "$build/families/peer_box2d.o" "$library" -lpthread -ldl -lm -o "$build/bin/families_box2d" ||
 	exit 2
 "$build/bin/families_box2d" "$@" --solvers auto --record "$build/families_box2d.csv" || exit 2
 exec "$build/bin/families" --csv "$build/families.csv" --peer "Box2D=$build/families_box2d.csv" "$@"

@@ -89,54 +89,6 @@ cn_result cn_joint_set_flags(cn_world *world, cn_joint joint, uint32_t flags)
 	return peer_refuse("the adapter cannot change joints");
 }
 
-/* ---- what test/families/meddle.c does to a scene that runs ---- */
-
-static cn_result refuse_changes(void) { return peer_refuse("the adapter cannot change a scene that runs"); }
-
-cn_result cn_world_set_gravity(cn_world *world, float gravity_x_mps2, float gravity_y_mps2)
-{
-	(void)world, (void)gravity_x_mps2, (void)gravity_y_mps2;
-	return refuse_changes();
-}
-
-cn_result cn_body_set_pose(cn_world *world, cn_body body, float x_m, float y_m, float angle_rad)
-{
-	(void)world, (void)body, (void)x_m, (void)y_m, (void)angle_rad;
-	return refuse_changes();
-}
-
-cn_result cn_body_set_type(cn_world *world, cn_body body, int32_t type)
-{
-	(void)world, (void)body, (void)type;
-	return refuse_changes();
-}
-
-cn_result cn_body_set_mass_data(cn_world *world, cn_body body, const cn_mass_data *mass)
-{
-	(void)world, (void)body, (void)mass;
-	return refuse_changes();
-}
-
-cn_result cn_body_apply_impulse(cn_world *world, cn_body body, float impulse_x_Ns, float impulse_y_Ns)
-{
-	(void)world, (void)body, (void)impulse_x_Ns, (void)impulse_y_Ns;
-	return refuse_changes();
-}
-
-void cn_mouse_def_init(cn_mouse_def *def) { memset(def, 0, sizeof *def); }
-
-cn_result cn_joint_create_mouse(cn_world *world, const cn_mouse_def *def, cn_joint *out_joint)
-{
-	(void)world, (void)def, (void)out_joint;
-	return refuse_changes();
-}
-
-cn_result cn_joint_destroy(cn_world *world, cn_joint joint)
-{
-	(void)world, (void)joint;
-	return refuse_changes();
-}
-
 /* ---- definitions: what the suite leaves as it is ---- */
 
 void cn_world_def_init(cn_world_def *def)
