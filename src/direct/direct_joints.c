@@ -258,6 +258,22 @@ static void rattle_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse
 		cni_sparse_clear(sparse, c);
 }
 
+/* The passes of a substep; a single joint with the world needs them for heavy contacts alone. */
+static void passes_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, int32_t component)
+{
+	cni_component *c = &sparse->components[component];
+	int32_t single = cni_component_is_single(c), has_heavy = single && c->has_ropes ? 0 : cni_heavy_contacts_list(world, s, sparse, component);
+	if (single && !has_heavy) {
+		cni_component_release(world, sparse, c);
+		return;
+	}
+	c->batches = CNI_ON(TREE_BATCHES) && cni_component_is_batched(world, s, sparse, c, has_heavy);
+	if (!c->batches) {
+		c->kind = CNI_NONE;
+		cni_direct_begin(world, s, sparse, c);
+	}
+}
+
 void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 {
 	int32_t k, far = cni_joints_are_far(world);
@@ -292,18 +308,12 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 			soften_for(world, out, c, CNI_TRUST_MOST);
 		else if (is_ill_scaled(world, s, out, c))
 			soften_for(world, out, c, 0);
-		else if (c->body_begin == c->body_end || (!c->uses_rattle && !c->has_contacts && c->end - c->begin == 1 && c->body_end - c->body_begin == 1))
-			cni_component_release(world, out, c); /* one joint to the world */
+		else if (c->body_begin == c->body_end)
+			cni_component_release(world, out, c);
 		else if (c->uses_rattle)
 			rattle_begin(world, s, out, c);
-		else {
-			int32_t has_heavy = cni_heavy_contacts_list(world, s, out, k);
-			c->batches = CNI_ON(TREE_BATCHES) && cni_component_is_batched(world, s, out, c, has_heavy);
-			if (!c->batches) {
-				c->kind = CNI_NONE;
-				cni_direct_begin(world, s, out, c);
-			}
-		}
+		else
+			passes_begin(world, s, out, k);
 	}
 	cni_tree_batches_make(world, s, out);
 	cni_direct_contacts_extract(world, out);

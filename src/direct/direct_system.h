@@ -16,6 +16,11 @@ int32_t cni_direct_plan(cn_world *world, cni_sparse *out);
 void cni_direct_refresh(cn_world *world, cni_sparse *sparse, const cni_component *c);
 /* Number of its joints that end at a body without mass. */
 int32_t cni_component_held(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
+/* 1: one joint of a body with the world. */
+static inline int32_t cni_component_is_single(const cni_component *c)
+{
+	return !c->has_contacts && c->end - c->begin == 1 && c->body_end - c->body_begin == 1;
+}
 /* 1: fixed bodies hold it at more than one joint (held: cni_component_held), and its loops have few bodies each: a short bridge, a truss. For
    components without contacts. */
 int32_t cni_component_is_braced(const cni_component *c, int32_t held);
@@ -73,7 +78,7 @@ void cni_projection_mark(const cn_world *world, cni_sparse *sparse);
 /* ---- motors and limits in the system: direct/active_rows.c ---- */
 
 /* Bits of the `active` of a joint's node. */
-enum { CNI_ROW_IN_SET = 1u, CNI_ROW_AT_UPPER = 2u };
+enum { CNI_ROW_IN_SET = 1u, CNI_ROW_AT_UPPER = 2u, CNI_ROW_PULLED = 4u };
 
 /* 1: the limit may act in a step of this length. */
 static inline int32_t cni_limit_is_near(const cn_world *world, const cni_joint_constraint *w, int32_t row, float dt)
@@ -86,6 +91,12 @@ static inline int32_t cni_limit_is_near(const cn_world *world, const cni_joint_c
 int32_t cni_active_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c);
 /* Clears the third levers of nodes with a motor or limit, before the dampers are set; cni_active_levers sets those in the active set. */
 void cni_active_clear(cni_sparse *sparse, const cni_component *c);
+/* Asks limits in the set what they bear of a contact's impulse, after its solution of right sides that are the speeds after a push. */
+void cni_active_limits_ask(const cn_world *world, cni_sparse *sparse, const cni_component *c, float impulse);
+/* Clears the levers of limits that let go by what was asked, and of motors in the set. 0: there are none. */
+int32_t cni_active_leave(const cn_world *world, cni_sparse *sparse, const cni_component *c);
+/* A number for the limits in the set: another set has, but for chance, another. */
+uint32_t cni_active_limits(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
 void cni_active_levers(const cn_world *world, cni_sparse *sparse, const cni_component *c);
 /* Their right sides, after those of the rigid rows. */
 void cni_active_right_sides(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c, int32_t bias);

@@ -96,10 +96,17 @@ static int32_t is_batchable(const cni_sparse *sparse, const cni_component *c)
 	return 0;
 }
 
+/* 1: nothing holds the body. */
+static int32_t is_free(const cn_world *world, int32_t index)
+{
+	return cni_motion_can_move(cni_motions(world) + index) && !(cni_externals(world)[index].flags & CNI_EXTERNAL_JOINTED);
+}
+
+/* A single joint lists free bodies alone: a wheel on a fixed axle against a fixed bed or another such wheel is held from both sides. */
 static void body_contacts_list(const cn_world *world, const cni_solve *s, cni_sparse *sparse, int32_t component, int32_t index, float ratio, int32_t most, int32_t slow)
 {
 	const cni_body *b = cni_body_at(world, cni_awake_ids(world)[index]);
-	int32_t key, left = b->lanes;
+	int32_t key, left = b->lanes, single = cni_component_is_single(&sparse->components[component]);
 	for (key = b->contact_first; left > 0 && sparse->heavy_count < most; key = cni_contact_of_key(world, key)->next[key & 1]) {
 		const cni_contact *c = cni_contact_of_key(world, key);
 		const cni_body *other = cni_body_at(world, c->body[1 - (key & 1)]);
@@ -109,6 +116,8 @@ static void body_contacts_list(const cn_world *world, const cni_solve *s, cni_sp
 		if (!cni_contact_has_lane(c))
 			continue;
 		--left;
+		if (single && (light || !is_free(world, other->awake)))
+			continue;
 		light = light && (sparse->heavy_count >= CNI_HEAVY_CONTACTS_FREE || !is_squeezed(world, s, key >> 1, index, other->awake));
 		if ((light && *cni_heavy_restitution(world, key >> 1) <= 0.0f) || cni_direct_lane_is_locked(world, c))
 			continue;
@@ -171,7 +180,7 @@ int32_t cni_heavy_contacts_list(const cn_world *world, const cni_solve *s, cni_s
 	if (c->has_contacts || c->touched == 0 || may_break(world, sparse, c))
 		return 0;
 	batchable = is_batchable(sparse, c);
-	ratio = batchable ? CNI_SELECTION_MASS_RATIO : 1.0f; /* else only bodies that may crush its own: ragdolls would take 4 times as long as soft ones instead of 2.1 times */
+	ratio = batchable || cni_component_is_single(c) ? CNI_SELECTION_MASS_RATIO : 1.0f; /* else only bodies that may crush its own: ragdolls would take 4 times as long as soft ones instead of 2.1 times */
 	slow = is_slow(world, sparse, c, batchable);
 	most = cni_min_i(first + cni_heavy_contacts_most(sparse, c), cni_heavy_contacts_room(world->touching_count, world->awake_joints.count));
 	for (k = c->body_begin; k < c->body_end; ++k)

@@ -2,9 +2,11 @@
  * direct/heavy_response.c - what the joints of a component do to changes of velocity that its contacts make (direct/heavy_contacts.c): the inverse
  * effective mass of all their rows, a dense matrix.
  *
- * The response is found without motors and limits, which may leave the active set. Two bodies of one component have at most the mass of free
- * ones: beside their hinge it would be any. In the substeps the joints turn away from the response: a turn by d changes the square root of a
- * row's inverse mass by at most d times that of the free bodies. Where that may be a large part, the response is found again.
+ * The response is found with the limits of the active set into which all contacts press, and again when the set changes: without them a heavy box
+ * that lands on a light arm at its limit sinks in as far as the arm is light, and is thrown up again. Limits that a contact pulls, or that bear
+ * less than it presses, are no part of it, as they let go, nor are motors, which bear no more than their torque. Two bodies of one component have
+ * at most the mass of free ones: beside their hinge it would be any. In the substeps the joints turn away from the response: a turn by d changes
+ * the square root of a row's inverse mass by at most d times that of the free bodies. Where that may be a large part, the response is found again.
  *
  * Reads systems of joints, lanes; writes responses, and velocities for as long as they are changes.
  */
@@ -134,6 +136,11 @@ float cni_heavy_turn(const cni_heavy_pass *q)
 	return most;
 }
 
+uint32_t cni_heavy_limits(const cni_heavy_pass *q)
+{
+	return q->c->active ? cni_active_limits(q->world, q->sparse, q->c) : 0;
+}
+
 /* An impulse of 1 in one row of a contact: the changes of its two bodies. */
 typedef struct unit_impulse {
 	int32_t ia, ib;
@@ -212,19 +219,35 @@ static void column_find(const cni_heavy_pass *q, int32_t contact, int32_t row)
 	q->g->turn_most = cni_min(q->g->turn_most, CNI_HEAVY_TURN_PART * cni_sqrt(mass * *own));
 }
 
+/* Takes motors, and limits that let go, out of the system. Returns 0 if there are none. */
+static int32_t rows_leave(const cni_heavy_pass *q)
+{
+	int32_t k;
+	for (k = q->c->begin; k < q->c->end; ++k)
+		q->sparse->nodes[k].total[2] = 0.0f;
+	for (k = 0; k < 2 * q->count && q->g->limits != 0; ++k)
+		if (q->points[k >> 1].mass[k & 1] > 0.0f) {
+			unit_impulse u = unit_impulse_make(q, k >> 1, k & 1);
+			unit_sides_set(q, &u);
+			if (cni_sparse_solve(q->sparse, q->c))
+				cni_active_limits_ask(q->world, q->sparse, q->c, q->points[k >> 1].j[k & 1]);
+		}
+	return cni_active_leave(q->world, q->sparse, q->c);
+}
+
 void cni_heavy_response_find(const cni_heavy_pass *q)
 {
-	int32_t k, active = q->c->active;
-	if (active) {
-		cni_active_clear(q->sparse, q->c);
+	int32_t k, left;
+	q->g->limits = cni_heavy_limits(q);
+	left = q->c->active && rows_leave(q);
+	if (left)
 		cni_sparse_factor(q->sparse, q->c, cni_motions(q->world));
-	}
 	q->g->turn_most = FLT_MAX;
 	memset(q->g->response, 0, sizeof(float) * (size_t)(CNI_HEAVY_ROWS * q->count) * (size_t)(CNI_HEAVY_LANES * q->count));
 	for (k = 0; k < CNI_HEAVY_ROWS * q->count; ++k)
 		if (q->points[k / CNI_HEAVY_ROWS].mass[k % CNI_HEAVY_ROWS] > 0.0f)
 			column_find(q, k / CNI_HEAVY_ROWS, k % CNI_HEAVY_ROWS);
 	q->g->turn_most += cni_heavy_turn(q);
-	if (active)
+	if (left)
 		cni_direct_system(q->world, q->s, q->sparse, q->c);
 }

@@ -20,12 +20,12 @@ typedef struct arch_scene {
 static const arch_scene arch_scenes[ARCH_SCENES] = {
 	{ "shapes", scene_shapes, 0x4cbfae011f1d3379 },
 	{ "joints", scene_joints, 0xf556e3847e4d26db },
-	{ "direct", scene_direct, 0xff7bf5f1e7000290 },
+	{ "direct", scene_direct, 0xf6743000c1d47189 },
 	{ "tiers", scene_tiers, 0x2726bcc5a63e53d7 },
 	{ "sequential", scene_sequential, 0x8420c332fa1de2a4 },
 	{ "queries", scene_queries, 0xb79cb4644a093b1c },
-	{ "events", scene_events, 0x310d33f10c1e09ac },
-	{ "file", scene_file, 0x6a32644074ee431b },
+	{ "events", scene_events, 0xb0fd62ae431861ac },
+	{ "file", scene_file, 0x46c46be6aab9c936 },
 };
 
 /* The number of a scene; 0 if a call failed: arch_failed_line. */

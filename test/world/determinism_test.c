@@ -24,11 +24,11 @@ typedef struct golden {
 
 /* clang-format off */
 static const golden goldens[] = {
-	{ "falling_hinges", 480, 1, 0x46094b12a6bb5517 },
+	{ "falling_hinges", 480, 1, 0x4eff8ccf0d8e3529 },
 	{ "small_200", 300, 1, 0x87ecd5330aaa86da },
 	{ "small_50_sleep", 600, 1, 0x71eccb9d1bba6197 },
 	{ "dominoes", 400, 1, 0x1b40e5f4ad59c08c },
-	{ "ragdolls", 480, 1, 0xb8a213bd4a0ed461 },
+	{ "ragdolls", 480, 1, 0xc4d98b633a3540d0 },
 	{ "bridge", 240, 1, 0x2a3ea6a5e8a1c120 },
 	{ "car", 400, 1, 0xe7d2c8bf5ac92433 },
 	{ "mixer", 240, 1, 0x12d6eb74fe74d818 },

@@ -593,6 +593,144 @@ static void heavy_balls_press_no_chains_into_each_other(void)
 	CHECK_LE("greatest overlap, mean, over that of soft constraints", direct / soft, 0.8, "");
 }
 
+/* ---- heavy boxes on machines at their limits ---- */
+
+static cn_body add_plate(scene *s, float x, float y, float half_x, float half_y)
+{
+	return weighing(s, fixture_box(s->world, CN_BODY_DYNAMIC, x, y, 0.0f, half_x, half_y, 0.6f, 0.0f), 1.0f);
+}
+
+static void add_slider(scene *s, cn_body below, cn_vec2 anchor_below, cn_body plate, float travel)
+{
+	cn_prismatic_def def;
+	cn_joint joint = 0;
+	cn_prismatic_def_init(&def);
+	def.base.flags |= CN_JOINT_LIMIT;
+	def.base.body_a = below;
+	def.base.body_b = plate;
+	def.base.anchor_a_m = anchor_below;
+	def.axis = at(0.0f, 1.0f);
+	def.lower_m = -travel;
+	def.upper_m = travel;
+	must(cn_joint_create_prismatic(s->world, &def, &joint), s->world, "cn_joint_create_prismatic");
+}
+
+static void add_hinge(scene *s, cn_body before, cn_vec2 anchor_before, cn_body board, float travel)
+{
+	cn_revolute_def def;
+	cn_joint joint = 0;
+	cn_revolute_def_init(&def);
+	def.base.flags |= CN_JOINT_LIMIT;
+	def.base.body_a = before;
+	def.base.body_b = board;
+	def.base.anchor_a_m = anchor_before;
+	def.base.anchor_b_m = at(-0.5f, 0.0f);
+	def.lower_angle_rad = -travel;
+	def.upper_angle_rad = travel;
+	must(cn_joint_create_revolute(s->world, &def, &joint), s->world, "cn_joint_create_revolute");
+}
+
+enum { PLATE, ARM, TOWER, MACHINES };
+
+/* A plate on a slider, an arm of boards, a tower of plates on sliders; all have limits and parts of 1 kg. Returns the height of its top. */
+static float add_machine(scene *s, int32_t machine, uint32_t *random)
+{
+	float travel = fixture_random(random, 0.01f, 0.3f), top = 2.0f;
+	int32_t count = 1 + (int32_t)fixture_random(random, 0.0f, 3.99f), k;
+	cn_body before = 0;
+	if (machine == PLATE)
+		add_slider(s, 0, at(0.0f, top), add_plate(s, 0.0f, top, 1.0f, 0.1f), travel);
+	for (k = 0; k < count && machine == ARM; ++k) {
+		cn_body board = add_plate(s, 0.5f + (float)k, top, 0.5f, 0.1f);
+		add_hinge(s, before, k > 0 ? at(0.5f, 0.0f) : at(0.0f, top), board, travel);
+		before = board;
+	}
+	for (k = 0; k < count && machine == TOWER; ++k) {
+		cn_body plate = add_plate(s, 0.0f, top = 0.5f + 0.6f * (float)k, 1.0f, 0.1f);
+		add_slider(s, before, k > 0 ? at(0.0f, 0.6f) : at(0.0f, top), plate, 0.5f * travel);
+		before = plate;
+	}
+	return top + 0.1f;
+}
+
+typedef struct landing {
+	double rebound; /* greatest speed upwards, of that at which it landed */
+	double overlap;
+} landing;
+
+static landing landing_run(int32_t solver, int32_t machine, uint32_t seed)
+{
+	scene s = scene_open(GRAVITY, 0, solver);
+	landing l = { 0.0, 0.0 };
+	uint32_t random = 2654435761u * seed;
+	double down = 0.0, up = 0.0;
+	float high, x, mass;
+	cn_body box;
+	int32_t k;
+	keep(&s, fixture_floor(s.world, 0.6f, 0.0f));
+	high = add_machine(&s, machine, &random);
+	x = machine == ARM ? fixture_random(&random, 0.3f, 0.7f) : fixture_random(&random, -0.3f, 0.3f);
+	mass = powf(1000.0f, fixture_random(&random, 0.0f, 1.0f));
+	box = weighing(&s, fixture_box(s.world, CN_BODY_DYNAMIC, x, high + 0.3f + fixture_random(&random, 0.1f, 3.0f), 0.0f, 0.3f, 0.3f, 0.6f, 0.0f), mass);
+	for (k = 0; k < 180; ++k) {
+		double speed;
+		fixture_step(s.world, 1);
+		speed = (double)fixture_velocity(s.world, box).linear_mps.y;
+		down = greater(down, -speed);
+		up = greater(up, speed);
+		l.overlap = greater(l.overlap, (double)fixture_penetration(s.world, s.bodies, s.body_count));
+	}
+	l.rebound = up / down;
+	scene_close(&s);
+	return l;
+}
+
+/* The limits bear the box as the ground would. A contact that takes the part at its limit for a light free body lets the box sink in and throws
+   it up again. */
+static void boxes_stay_on_machines_at_their_limits(void)
+{
+	static const char *const names[MACHINES] = { "a plate on a slider", "an arm", "a tower of sliders" };
+	const int32_t seeds = TEST_MANY(30);
+	int32_t machine, seed;
+	for (machine = 0; machine < MACHINES; ++machine) {
+		landing direct = { 0.0, 0.0 }, soft = { 0.0, 0.0 };
+		for (seed = 1; seed <= seeds; ++seed) {
+			landing d = landing_run(CN_SOLVER_AUTO, machine, (uint32_t)seed), f = landing_run(CN_SOLVER_SOFT, machine, (uint32_t)seed);
+			direct.rebound += d.rebound / (double)seeds;
+			direct.overlap += d.overlap / (double)seeds;
+			soft.rebound += f.rebound / (double)seeds;
+			soft.overlap += f.overlap / (double)seeds;
+		}
+		printf("  %s: rebound %.3f, with soft constraints %.3f; overlap %.4f m, %.4f m\n", names[machine], direct.rebound, soft.rebound, direct.overlap, soft.overlap);
+		CHECK_LE("rebound, mean", direct.rebound, 0.12, "of the speed of the landing");
+		CHECK_LE("greatest overlap, mean", direct.overlap, 0.035, "m");
+	}
+}
+
+/* A wheel whose axle is 20 mm too near to a fixed bed. Returns the greatest overlap after a second. */
+static double jammed_wheel_run(int32_t solver)
+{
+	scene s = scene_open(GRAVITY, 0, solver);
+	double overlap = 0.0;
+	int32_t k;
+	keep(&s, fixture_box(s.world, CN_BODY_STATIC, 0.0f, 0.0f, 0.0f, 2.0f, 0.5f, 0.6f, 0.0f));
+	pin(&s, 0, at(0.0f, 0.98f), keep(&s, fixture_circle(s.world, CN_BODY_DYNAMIC, 0.0f, 0.98f, 0.5f, 0.6f, 0.0f)), at(0.0f, 0.0f));
+	fixture_set_velocity(s.world, last_body(&s), 0.0f, 0.0f, 5.0f);
+	for (k = 0; k < 120; ++k) {
+		fixture_step(s.world, 1);
+		overlap = k >= 60 ? greater(overlap, (double)fixture_penetration(s.world, s.bodies, s.body_count)) : 0.0;
+	}
+	scene_close(&s);
+	return overlap;
+}
+
+/* Joint and contact contradict each other. Both give way, as with soft constraints. */
+static void jammed_wheels_give_way(void)
+{
+	double direct = jammed_wheel_run(CN_SOLVER_AUTO), soft = jammed_wheel_run(CN_SOLVER_SOFT);
+	CHECK_LE("overlap, over that of soft constraints", direct / soft, 1.2, "");
+}
+
 int main(int argc, char **argv)
 {
 	test_begin(argc, argv);
@@ -604,6 +742,8 @@ int main(int argc, char **argv)
 	RUN(hard_stops_part_no_joints);
 	RUN(heavy_boxes_lie_on_light_boards);
 	RUN(each_of_many_boxes_lies_on_its_boards);
+	RUN(boxes_stay_on_machines_at_their_limits);
+	RUN(jammed_wheels_give_way);
 	RUN(light_boards_bear_what_stands);
 	RUN(heavy_boxes_share_a_deck);
 	RUN(heavy_balls_press_no_chains_into_each_other);
