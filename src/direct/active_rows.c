@@ -108,44 +108,24 @@ static int32_t acts(const cn_world *world, const cni_node *n, int32_t kind)
 
 void cni_active_limits_ask(const cn_world *world, cni_sparse *sparse, const cni_component *c, float impulse)
 {
-	int32_t k;
-	for (k = c->active_first; k != CNI_NONE; k = sparse->nodes[k].next_active) {
+	for (int32_t k = c->active_first; k != CNI_NONE; k = sparse->nodes[k].next_active) {
 		cni_node *n = &sparse->nodes[k];
-		if (!acts(world, n, CNI_ROW_LIMIT))
-			continue;
-		n->active |= n->x[2] > 0.0f ? (uint32_t)CNI_ROW_PULLED : 0u;
-		n->total[2] -= n->x[2] * impulse;
+		if (acts(world, n, CNI_ROW_LIMIT))
+			n->total[2] = n->x[2] > 0.0f ? FLT_MAX : n->total[2] - n->x[2] * impulse; /* FLT_MAX: the contact pulls */
 	}
-}
-
-/* 1: a contact pulls the limit, or presses on it by far more than it bears: a light part at it is hurled between both. */
-static int32_t lets_go(const cni_node *n, const cni_row *limit)
-{
-	return (n->active & CNI_ROW_PULLED) || limit->impulse < LIMIT_BEARS_LEAST * n->total[2];
 }
 
 int32_t cni_active_leave(const cn_world *world, cni_sparse *sparse, const cni_component *c)
 {
-	int32_t k, found = 0;
-	for (k = c->active_first; k != CNI_NONE; k = sparse->nodes[k].next_active) {
+	int32_t found = 0;
+	for (int32_t k = c->active_first; k != CNI_NONE; k = sparse->nodes[k].next_active) {
 		cni_node *n = &sparse->nodes[k];
-		if (!(n->active & CNI_ROW_IN_SET) || (acts(world, n, CNI_ROW_LIMIT) && !lets_go(n, active_row(world, n))))
+		if (!acts(world, n, CNI_ROW_MOTOR) && !(acts(world, n, CNI_ROW_LIMIT) && active_row(world, n)->impulse < LIMIT_BEARS_LEAST * n->total[2]))
 			continue;
-		n->active &= ~(uint32_t)CNI_ROW_PULLED;
 		cni_levers_clear(&n->levers, 2);
 		found = 1;
 	}
 	return found;
-}
-
-uint32_t cni_active_limits(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
-{
-	uint32_t number = 0;
-	int32_t k;
-	for (k = c->active_first; k != CNI_NONE; k = sparse->nodes[k].next_active)
-		if (acts(world, &sparse->nodes[k], CNI_ROW_LIMIT))
-			number = 31 * number + (uint32_t)k + 1;
-	return number;
 }
 
 void cni_active_levers(const cn_world *world, cni_sparse *sparse, const cni_component *c)

@@ -336,6 +336,7 @@ static int32_t set_solve(cn_world *world, const cni_solve *s, cni_sparse *sparse
 			return 0;
 		if (round == CNI_JOINT_SET_ROUNDS || !cni_active_change(world, s, sparse, c))
 			return 1;
+		++c->set_changes;
 		cni_direct_system(world, s, sparse, c);
 		sides_renew(world, sparse, c, round == 0);
 	}

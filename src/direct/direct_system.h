@@ -78,7 +78,7 @@ void cni_projection_mark(const cn_world *world, cni_sparse *sparse);
 /* ---- motors and limits in the system: direct/active_rows.c ---- */
 
 /* Bits of the `active` of a joint's node. */
-enum { CNI_ROW_IN_SET = 1u, CNI_ROW_AT_UPPER = 2u, CNI_ROW_PULLED = 4u };
+enum { CNI_ROW_IN_SET = 1u, CNI_ROW_AT_UPPER = 2u };
 
 /* 1: the limit may act in a step of this length. */
 static inline int32_t cni_limit_is_near(const cn_world *world, const cni_joint_constraint *w, int32_t row, float dt)
@@ -95,8 +95,6 @@ void cni_active_clear(cni_sparse *sparse, const cni_component *c);
 void cni_active_limits_ask(const cn_world *world, cni_sparse *sparse, const cni_component *c, float impulse);
 /* Clears the levers of limits that let go by what was asked, and of motors in the set. 0: there are none. */
 int32_t cni_active_leave(const cn_world *world, cni_sparse *sparse, const cni_component *c);
-/* A number for the limits in the set: another set has, but for chance, another. */
-uint32_t cni_active_limits(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
 void cni_active_levers(const cn_world *world, cni_sparse *sparse, const cni_component *c);
 /* Their right sides, after those of the rigid rows. */
 void cni_active_right_sides(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c, int32_t bias);

@@ -283,7 +283,7 @@ static void group_solve(cn_world *world, const cni_solve *s, cni_heavy_group *g,
 	q.pass = bias;
 	if (q.c->batches && !bias)
 		cni_tree_lane_system(s, q.c);
-	if (cni_heavy_limits(&q) != g->limits || (!bias && cni_heavy_turn(&q) > g->turn_most))
+	if (q.c->set_changes != g->set_changes || (!bias && cni_heavy_turn(&q) > g->turn_most))
 		cni_heavy_response_find(&q);
 	if (impulses_find(&q))
 		impulses_apply(&q);

@@ -30,7 +30,7 @@ typedef struct cni_heavy_contact {
 typedef struct cni_heavy_group {
 	int32_t component, begin, end;
 	float turn_most;    /* rad: farthest turn of the component's bodies in this step until the response is found again */
-	uint32_t limits;    /* cni_heavy_limits of the response */
+	int32_t set_changes; /* of the component when the response was found */
 	float *response;    /* for each row: speeds of all rows after an impulse of 1 in it */
 } cni_heavy_group;
 

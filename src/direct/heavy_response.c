@@ -136,11 +136,6 @@ float cni_heavy_turn(const cni_heavy_pass *q)
 	return most;
 }
 
-uint32_t cni_heavy_limits(const cni_heavy_pass *q)
-{
-	return q->c->active ? cni_active_limits(q->world, q->sparse, q->c) : 0;
-}
-
 /* An impulse of 1 in one row of a contact: the changes of its two bodies. */
 typedef struct unit_impulse {
 	int32_t ia, ib;
@@ -225,7 +220,7 @@ static int32_t rows_leave(const cni_heavy_pass *q)
 	int32_t k;
 	for (k = q->c->begin; k < q->c->end; ++k)
 		q->sparse->nodes[k].total[2] = 0.0f;
-	for (k = 0; k < 2 * q->count && q->g->limits != 0; ++k)
+	for (k = 0; k < 2 * q->count; ++k)
 		if (q->points[k >> 1].mass[k & 1] > 0.0f) {
 			unit_impulse u = unit_impulse_make(q, k >> 1, k & 1);
 			unit_sides_set(q, &u);
@@ -238,7 +233,7 @@ static int32_t rows_leave(const cni_heavy_pass *q)
 void cni_heavy_response_find(const cni_heavy_pass *q)
 {
 	int32_t k, left;
-	q->g->limits = cni_heavy_limits(q);
+	q->g->set_changes = q->c->set_changes;
 	left = q->c->active && rows_leave(q);
 	if (left)
 		cni_sparse_factor(q->sparse, q->c, cni_motions(q->world));

@@ -65,8 +65,6 @@ void cni_heavy_speeds(const cni_heavy_pass *q, float *out);
 void cni_heavy_push(const cni_heavy_pass *q, int32_t contact, int32_t row, float impulse);
 /* The farthest turn of the component's levers in this step; beyond the group's turn_most its response is found again. */
 float cni_heavy_turn(const cni_heavy_pass *q);
-/* A number for the limits that act at present: when it changes, so does the response. */
-uint32_t cni_heavy_limits(const cni_heavy_pass *q);
 void cni_heavy_response_find(const cni_heavy_pass *q);
 
 #endif

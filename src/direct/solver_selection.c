@@ -8,6 +8,8 @@
  *   - when a contact overlaps by more than a tenth of it, or is new, and carries or may carry more than soft contacts can, or is
  *     between bodies that lean;
  *   - when the top-down sweep left some body unsupported.
+ * An island of few bodies is solved directly at once, however fast it moves, in a step in which a body strikes another of far less mass: a soft
+ * contact stops as much of the heavy body in a pass as the light one weighs, so that it sinks in, and is thrown up again.
  * One whose bodies have yet to meet waits: exact contacts let them fall until their gaps have closed, each step anew. So does one of thin
  * bodies deep in each other: where other sides touch than those that should, no set holds.
  * It stays direct until it has been good for a while or, where bodies lean on each other, until it sleeps; its loads are then exact, and
@@ -38,6 +40,7 @@
 typedef struct lane_scan {
 	float most;    /* metres: bad overlap of a contact with much load */
 	float h;       /* substep length */
+	float dt;      /* step length */
 	int32_t done;  /* an island whose further lanes change nothing, CNI_NONE */
 } lane_scan;
 
@@ -284,6 +287,42 @@ static void lane_check(cn_world *world, lane_scan *q, const cni_contact_block *k
 		island_mark_bad(world, island, reason);
 }
 
+/* 1: the last solution of the island failed, and it was the first that did. */
+static int32_t has_failed_once(const cn_world *world, const cni_island *i)
+{
+	return cni_island_is_unsolved(i, world->step_count) && i->refused_steps <= CNI_SELECTION_RETRY_FIRST;
+}
+
+/* 1: a body strikes one of far less mass in this step, or has sunk into it in a step without a solution. */
+static int32_t strikes(const cn_world *world, const lane_scan *q, const cni_contact_block *k, int32_t l, int32_t failed)
+{
+	const cni_motion *a = cni_motions(world) + k->ia[l], *b = cni_motions(world) + k->ib[l];
+	if (!(b->inv_mass > 0.0f) || cni_max(a->inv_mass, b->inv_mass) <= CNI_SELECTION_MASS_RATIO * cni_min(a->inv_mass, b->inv_mass))
+		return 0;
+	if (failed && overlap(k, l) > world->settings.slop)
+		return 1;
+	for (int32_t i = 0; i < 2; ++i) {
+		const cni_contact_row *p = &k->p[i];
+		float at = p->at[l], bt = at - k->dt[l], speed = k->nx[l] * (b->vx - a->vx) + k->ny[l] * (b->vy - a->vy) + b->w * bt - a->w * at;
+		if (p->nm[l] > 0.0f && speed < -CNI_SELECTION_STRIKE_SPEED * world->settings.length_unit && p->s0[l] + q->dt * speed < world->settings.slop)
+			return 1;
+	}
+	return 0;
+}
+
+static void strike_check(cn_world *world, const lane_scan *q, const cni_contact_block *k, int32_t l)
+{
+	int32_t island = cni_awake_island(world, k->ia[l]), failed;
+	const cni_island *i = island != CNI_NONE ? cni_island_at(world, island) : NULL;
+	if (i == NULL || i->tier == CNI_TIER_DIRECT || i->solver == CN_SOLVER_SOFT || i->count > CNI_SELECTION_STRIKE_BODIES)
+		return;
+	failed = has_failed_once(world, i);
+	if (cni_island_is_refused(i, world->step_count) && i->reason != CN_TIER_REASON_MOVING && !failed)
+		return;
+	if (world->direct_islands.count < ISLANDS_MOST && strikes(world, q, k, l, failed) && !cni_island_has_joints(world, island))
+		island_take(world, island, CN_TIER_REASON_NEW_CONTACT);
+}
+
 static void new_lane_check(cn_world *world, lane_scan *q, const cni_contact_block *k, int32_t l)
 {
 	int32_t is_new = k->p[0].jn[l] + k->p[1].jn[l] == 0.0f && overlap(k, l) > -0.1f * world->settings.slop;
@@ -300,6 +339,7 @@ static void block_check(cn_world *world, lane_scan *q, const cni_listed_block *b
 	for (int32_t l = 0; lanes >> l != 0; ++l) {
 		if (!(lanes >> l & 1u))
 			continue;
+		strike_check(world, q, k, l);
 		if (b->fresh >> l & 1u)
 			new_lane_check(world, q, k, l);
 		else if (cni_awake_island(world, k->ia[l]) != q->done)
@@ -319,7 +359,7 @@ static void unheld_check(cn_world *world)
 
 static void lanes_check(cn_world *world, float h)
 {
-	lane_scan q = { CNI_BAD_PART * world->settings.accuracy, h, CNI_NONE };
+	lane_scan q = { CNI_BAD_PART * world->settings.accuracy, h, h * (float)world->settings.substeps, CNI_NONE };
 	const cni_listed_block *list = (const cni_listed_block *)world->block_list.data;
 	int32_t count = world->colors[CNI_COLORS - 1].listed + world->colors[CNI_COLORS - 1].listed_count;
 	for (int32_t k = 0; k < count; ++k) {

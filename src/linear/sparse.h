@@ -86,6 +86,7 @@ typedef struct cni_component {
 	int32_t joints;                /* number of nodes that are joints */
 	int32_t active;                /* 1: the active set has limits, 2: also motors: direct/active_rows.c */
 	int32_t active_first;          /* ... its first node, in ascending order */
+	int32_t set_changes;           /* ... how often it changed in this step */
 	int32_t damps;                 /* 1: its pins may have dampers or locks in this step: direct/geometric_stiffness.c */
 	int32_t kind;                  /* topology class or CNI_NONE: linear/topology_class.c */
 	int32_t batches;                 /* 1: solved side by side with others of its class: direct/batched_trees.c */

@@ -24,13 +24,13 @@ typedef struct golden {
 
 /* clang-format off */
 static const golden goldens[] = {
-	{ "falling_hinges", 480, 1, 0x4eff8ccf0d8e3529 },
+	{ "falling_hinges", 480, 1, 0x73f0577b3aff13cc },
 	{ "small_200", 300, 1, 0x87ecd5330aaa86da },
 	{ "small_50_sleep", 600, 1, 0x71eccb9d1bba6197 },
 	{ "dominoes", 400, 1, 0x1b40e5f4ad59c08c },
-	{ "ragdolls", 480, 1, 0xc4d98b633a3540d0 },
+	{ "ragdolls", 480, 1, 0xa21c223a5626fe8c },
 	{ "bridge", 240, 1, 0x2a3ea6a5e8a1c120 },
-	{ "car", 400, 1, 0xe7d2c8bf5ac92433 },
+	{ "car", 400, 1, 0x6f9f5f907cda54f7 },
 	{ "mixer", 240, 1, 0x12d6eb74fe74d818 },
 	{ "pyramid", 120, 0, 0x387c9d4d7cb5aaff },
 	{ "rain", 150, 0, 0xbd48b22521a1db77 },
