@@ -106,13 +106,16 @@ static int32_t acts(const cn_world *world, const cni_node *n, int32_t kind)
 	return (n->active & CNI_ROW_IN_SET) && active_row(world, n)->kind == kind;
 }
 
-void cni_active_limits_ask(const cn_world *world, cni_sparse *sparse, const cni_component *c, float impulse)
+int32_t cni_active_limits_ask(const cn_world *world, cni_sparse *sparse, const cni_component *c, float impulse)
 {
+	int32_t found = 0;
 	for (int32_t k = c->active_first; k != CNI_NONE; k = sparse->nodes[k].next_active) {
 		cni_node *n = &sparse->nodes[k];
-		if (acts(world, n, CNI_ROW_LIMIT))
-			n->total[2] = n->x[2] > 0.0f ? FLT_MAX : n->total[2] - n->x[2] * impulse; /* FLT_MAX: the contact pulls */
+		int32_t limit = acts(world, n, CNI_ROW_LIMIT);
+		n->total[2] = limit && n->x[2] > 0.0f ? FLT_MAX : n->total[2] - n->x[2] * impulse; /* FLT_MAX: the contact pulls */
+		found |= limit;
 	}
+	return found;
 }
 
 int32_t cni_active_leave(const cn_world *world, cni_sparse *sparse, const cni_component *c)

@@ -249,8 +249,8 @@ static int32_t is_denied(const cni_direct_contact_pass *q)
 	return world->cone_work > 0 && world->cone_work + world->set_work + 2 * CNI_CONE_FACTORS_LEAST * cni_cone_factor_work(q->c) > cni_attempt_work_most(world, q->c);
 }
 
-/* 1: the interior-point method may run, in all substeps as long as the island's debt and the work of the step allow, and of islands that move in
-   those that are struck (strike_check). A relax pass takes out the speed of the pushes that the pass before it has made, whatever is owed. */
+/* 1: the interior-point method may run: the island's debt and the work of the step allow it, and it is at rest, or small and struck or bad in this
+   step (strike_check). A relax pass takes out the speed of the pushes that the pass before it has made, whatever is owed. */
 static int32_t cone_is_admitted(cni_direct_contact_pass *q)
 {
 	int32_t struck = q->island->good_steps == 0 && q->island->count <= CNI_SELECTION_STRIKE_BODIES;

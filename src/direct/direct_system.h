@@ -91,8 +91,8 @@ static inline int32_t cni_limit_is_near(const cn_world *world, const cni_joint_c
 int32_t cni_active_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c);
 /* Clears the third levers of nodes with a motor or limit, before the dampers are set; cni_active_levers sets those in the active set. */
 void cni_active_clear(cni_sparse *sparse, const cni_component *c);
-/* Asks limits in the set what they bear of a contact's impulse, after its solution of right sides that are the speeds after a push. */
-void cni_active_limits_ask(const cn_world *world, cni_sparse *sparse, const cni_component *c, float impulse);
+/* Asks limits in the set what they bear of a contact's impulse, after its solution of right sides that are the speeds after a push. 0: there are none. */
+int32_t cni_active_limits_ask(const cn_world *world, cni_sparse *sparse, const cni_component *c, float impulse);
 /* Clears the levers of limits that let go by what was asked, and of motors in the set. 0: there are none. */
 int32_t cni_active_leave(const cn_world *world, cni_sparse *sparse, const cni_component *c);
 void cni_active_levers(const cn_world *world, cni_sparse *sparse, const cni_component *c);

@@ -217,24 +217,23 @@ static void column_find(const cni_heavy_pass *q, int32_t contact, int32_t row)
 /* Takes motors, and limits that let go, out of the system. Returns 0 if there are none. */
 static int32_t rows_leave(const cni_heavy_pass *q)
 {
-	int32_t k;
-	for (k = q->c->begin; k < q->c->end; ++k)
+	int32_t k, limits = 1;
+	for (k = q->c->active_first; k != CNI_NONE; k = q->sparse->nodes[k].next_active)
 		q->sparse->nodes[k].total[2] = 0.0f;
-	for (k = 0; k < 2 * q->count; ++k)
+	for (k = 0; k < 2 * q->count && limits; ++k)
 		if (q->points[k >> 1].mass[k & 1] > 0.0f) {
 			unit_impulse u = unit_impulse_make(q, k >> 1, k & 1);
 			unit_sides_set(q, &u);
 			if (cni_sparse_solve(q->sparse, q->c))
-				cni_active_limits_ask(q->world, q->sparse, q->c, q->points[k >> 1].j[k & 1]);
+				limits = cni_active_limits_ask(q->world, q->sparse, q->c, q->points[k >> 1].j[k & 1]);
 		}
 	return cni_active_leave(q->world, q->sparse, q->c);
 }
 
 void cni_heavy_response_find(const cni_heavy_pass *q)
 {
-	int32_t k, left;
+	int32_t k, left = q->c->active && rows_leave(q);
 	q->g->set_changes = q->c->set_changes;
-	left = q->c->active && rows_leave(q);
 	if (left)
 		cni_sparse_factor(q->sparse, q->c, cni_motions(q->world));
 	q->g->turn_most = FLT_MAX;

@@ -396,7 +396,7 @@ CNI_TUNING_COUNT(CNI_SELECTION_MEET_STEPS, 30)
 CNI_TUNING_FLOAT(CNI_SELECTION_DEEP_PART, 0.5f)
 /* Mass ratio from which a body may crush a lighter one below it. */
 CNI_TUNING_FLOAT(CNI_SELECTION_MASS_RATIO, 5.0f)
-/* A body that strikes another of so much less mass at this speed, length units a second, has its island solved directly, if that is not larger. */
+/* A body that strikes another of so much less mass at this speed, length units a second, has its island of up to so many solved directly. */
 CNI_TUNING_FLOAT(CNI_SELECTION_STRIKE_SPEED, 0.5f)
 CNI_TUNING_COUNT(CNI_SELECTION_STRIKE_BODIES, 24)
 
