@@ -79,6 +79,7 @@ void scene_step_machines(scene_run *run, int32_t step_index);
 void scene_create_constraints(scene_run *run);
 void scene_step_constraints(scene_run *run, int32_t step_index);
 void scene_create_lone_boxes(scene_run *run);
+void scene_create_workshop(scene_run *run);
 void scene_create_empty(scene_run *run);
 
 #endif

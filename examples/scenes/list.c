@@ -50,6 +50,8 @@ static const scene scenes[] = {
 		VIEW(-24.0f, -2.0f, 24.0f, 40.0f), VIEW(-23.0f, -1.0f, 23.0f, 80.0f)},
 	{"compounds", "800 bodies of three to seven shapes in a pit", scene_create_compounds, NULL, 400, 800, SCENE_BENCH, EARTH,
 		VIEW(-24.0f, -2.0f, 24.0f, 46.0f), VIEW(-23.0f, -1.0f, 23.0f, 80.0f)},
+	{"workshop", "100 machines, each alone: bridges, pendulums, jibs, carts, swings", scene_create_workshop, NULL, 400, 100, SCENE_BENCH, EARTH,
+		VIEW(-15.0f, -2.0f, 285.0f, 242.0f), VIEW(-200.0f, -2000.0f, 500.0f, 300.0f)},
 	{"small_10", "10 mixed bodies in a bowl", scene_create_bowl, NULL, 600, 10, SCENE_BENCH, EARTH,
 		VIEW(-7.0f, -1.0f, 7.0f, 13.0f), VIEW(-6.0f, -1.0f, 6.0f, 60.0f)},
 	{"small_50", "50 mixed bodies in a bowl", scene_create_bowl, NULL, 600, 50, SCENE_BENCH, EARTH,

@@ -286,8 +286,7 @@ CNI_INLINE void solve_live(cni_contact_block *k, cni_block_extra *extra, int32_t
 /* The rounds after the first. A separate function that takes copies: groups without fresh lanes keep their registers. */
 static void solve_again(cni_contact_block *k, cni_block_extra *extra, int32_t l, side *a, side *b, const cni_contact_pass *pass, int32_t bias, const float *bounces, uint32_t live)
 {
-	int32_t round;
-	for (round = 1; round < CNI_NEW_CONTACT_ROUNDS; ++round)
+	for (int32_t round = 1; round < CNI_NEW_CONTACT_ROUNDS; ++round)
 		solve_live(k, extra, l, a, b, pass, bias, bounces, cni_mask_of_bits(live));
 }
 
@@ -309,15 +308,14 @@ CNI_INLINE uint32_t group_couples(const cni_contact_block *k, int32_t l, const s
 
 CNI_INLINE void solve_fresh(cni_contact_block *k, cni_block_extra *extra, int32_t l, side *a, side *b, const cni_contact_pass *pass, int32_t bias, const float *bounces, uint32_t fresh)
 {
-	side a_copy, b_copy;
 	uint32_t live = fresh >> l & ((1u << CNI_WIDTH) - 1u);
 	if (live == 0 || !CNI_ON(FRESH_ROUNDS))
 		return;
 	live &= group_loaded(k, l) & (extra != NULL ? live : group_couples(k, l, a, b));
 	if (live == 0)
 		return;
-	a_copy = *a;
-	b_copy = *b;
+	side a_copy = *a;
+	side b_copy = *b;
 	solve_again(k, extra, l, &a_copy, &b_copy, pass, bias, bounces, live);
 	*a = a_copy;
 	*b = b_copy;
@@ -384,8 +382,7 @@ CNI_INLINE uint32_t block_fresh(const cni_listed_block *b)
 /* At the end of a substep: lanes with a normal impulse are no longer fresh. */
 static void block_age(const cni_listed_block *b, uint32_t fresh)
 {
-	int32_t l;
-	for (l = b->begin; l < b->lanes; l += CNI_WIDTH)
+	for (int32_t l = b->begin; l < b->lanes; l += CNI_WIDTH)
 		b->info->fresh = (uint16_t)(b->info->fresh & ~(fresh & group_loaded(b->rows, l) << l));
 }
 
@@ -408,12 +405,11 @@ CNI_INLINE void solve_plain(cni_motion *motions, const cni_listed_block *b, cons
 static void solve_rare(cni_motion *motions, const cni_listed_block *b, const cni_contact_pass *pass, uint32_t fresh, int32_t bias)
 {
 	const float *bounces = b->info->restitution;
-	int32_t l;
 	if (b->extra != NULL && bias)
-		for (l = b->begin; l < b->lanes; l += CNI_WIDTH)
+		for (int32_t l = b->begin; l < b->lanes; l += CNI_WIDTH)
 			solve_group(motions, b->rows, b->extra, l, pass, fresh, 1, bounces);
 	else if (b->extra != NULL)
-		for (l = b->begin; l < b->lanes; l += CNI_WIDTH)
+		for (int32_t l = b->begin; l < b->lanes; l += CNI_WIDTH)
 			solve_group(motions, b->rows, b->extra, l, pass, fresh, 0, bounces);
 	else if (bias)
 		solve_plain(motions, b, pass, fresh, 1, bounces);
@@ -424,8 +420,7 @@ static void solve_rare(cni_motion *motions, const cni_listed_block *b, const cni
 /* Blocks without extra rows and high restitution get code without them. */
 CNI_INLINE void solve_blocks(const cni_color_pass *c, int32_t begin, int32_t end, int32_t bias)
 {
-	int32_t k;
-	for (k = begin; k < end; ++k) {
+	for (int32_t k = begin; k < end; ++k) {
 		const cni_listed_block *b = &c->blocks[k];
 		const cni_contact_pass *pass = &c->kinds[b->kind];
 		uint32_t fresh = block_fresh(b);
@@ -453,8 +448,7 @@ static void kernel_relax(const cni_color_pass *c, int32_t begin, int32_t end)
 /* Solves the lanes of a block once more that are bits of `again`. */
 CNI_INLINE void solve_marked(const cni_color_pass *c, const cni_listed_block *b, cni_block_extra *extra, uint32_t again, const float *bounces)
 {
-	int32_t l;
-	for (l = b->begin; again >> l != 0; l += CNI_WIDTH) {
+	for (int32_t l = b->begin; again >> l != 0; l += CNI_WIDTH) {
 		uint32_t bits = again >> l & ((1u << CNI_WIDTH) - 1u);
 		side a, other;
 		if (bits == 0)
@@ -471,8 +465,7 @@ CNI_INLINE void solve_marked(const cni_color_pass *c, const cni_listed_block *b,
 /* Solves the lanes that are marked once more, and clears the marks. */
 static void kernel_again(const cni_color_pass *c, int32_t begin, int32_t end)
 {
-	int32_t k;
-	for (k = begin; k < end; ++k) {
+	for (int32_t k = begin; k < end; ++k) {
 		const cni_listed_block *b = &c->blocks[k];
 		uint32_t again = b->info->again;
 		b->info->again = 0;
@@ -517,12 +510,11 @@ CNI_INLINE void warm_group(cni_motion *motions, const cni_external *externals, c
 	const cni_wide zero = cni_wide_of(0.0f);
 	cni_wide nx = cni_wide_load(k->nx + l), ny = cni_wide_load(k->ny + l), scale = cni_wide_of(pass->warm_scale);
 	cni_wide jt = cni_wide_load(k->jt + l) * scale;
-	cni_mask settled;
 	side a, b;
 	int32_t p, points = has_one_point(k, l) ? 1 : 2;
 	side_gather(motions, k->ia + l, &a);
 	side_gather(motions, k->ib + l, &b);
-	settled = lanes_settled(externals, k, l, &b);
+	cni_mask settled = lanes_settled(externals, k, l, &b);
 	if (extra != NULL)
 		sides_lock(extra, l, &a, &b);
 	for (p = 0; p < points; ++p) {
@@ -548,12 +540,11 @@ CNI_INLINE void warm_group(cni_motion *motions, const cni_external *externals, c
 
 static void kernel_warm(const cni_color_pass *c, int32_t begin, int32_t end)
 {
-	int32_t k, l;
-	for (k = begin; k < end; ++k) {
+	for (int32_t k = begin; k < end; ++k) {
 		const cni_listed_block *b = &c->blocks[k];
 		if (c->prefetches)
 			cni_blocks_prefetch(c, k, end);
-		for (l = b->begin; l < b->lanes; l += CNI_WIDTH)
+		for (int32_t l = b->begin; l < b->lanes; l += CNI_WIDTH)
 			warm_group(c->motions, c->externals, b->rows, b->extra, l, &c->kinds[b->kind]);
 	}
 }
@@ -571,25 +562,23 @@ CNI_INLINE uint32_t group_closing(const float *starts, const cni_contact_block *
 {
 	side a, b;
 	cni_wide jumped_a, jumped_b;
-	cni_mask hit, closes, bounces;
 	cni_wide_gather4(starts, 4, k->ia + l, &a.vx, &a.vy, &a.w, &jumped_a);
 	cni_wide_gather4(starts, 4, k->ib + l, &b.vx, &b.vy, &b.w, &jumped_b);
-	hit = cni_wide_max(jumped_a, jumped_b) >= cni_wide_of(since);
+	cni_mask hit = cni_wide_max(jumped_a, jumped_b) >= cni_wide_of(since);
 	if (cni_mask_bits(hit) == 0)
 		return 0;
-	closes = point_closes(k, &k->p[0], l, &a, &b, speed) | point_closes(k, &k->p[1], l, &a, &b, speed);
-	bounces = cni_wide_load_loose(info->restitution + l) > cni_wide_of(0.0f);
+	cni_mask closes = point_closes(k, &k->p[0], l, &a, &b, speed) | point_closes(k, &k->p[1], l, &a, &b, speed);
+	cni_mask bounces = cni_wide_load_loose(info->restitution + l) > cni_wide_of(0.0f);
 	return cni_mask_bits(hit & closes & bounces) << l;
 }
 
 static void kernel_closing(const cni_velocity_start *starts, const cni_listed_block *blocks, int32_t count, float speed, float since, uint32_t *closing)
 {
-	int32_t k, l;
-	for (k = 0; k < count; ++k) {
+	for (int32_t k = 0; k < count; ++k) {
 		const cni_listed_block *b = &blocks[k];
 		closing[k] = 0;
 		if (b->info->flags & CNI_BLOCK_RESTITUTION)
-			for (l = b->begin; l < b->lanes; l += CNI_WIDTH)
+			for (int32_t l = b->begin; l < b->lanes; l += CNI_WIDTH)
 				closing[k] |= group_closing((const float *)(const void *)starts, b->rows, b->info, speed, since, l);
 	}
 }

@@ -96,8 +96,7 @@ int32_t cni_active_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse
 
 void cni_active_clear(cni_sparse *sparse, const cni_component *c)
 {
-	int32_t k;
-	for (k = c->active_first; k != CNI_NONE; k = sparse->nodes[k].next_active)
+	for (int32_t k = c->active_first; k != CNI_NONE; k = sparse->nodes[k].next_active)
 		cni_levers_clear(&sparse->nodes[k].levers, 2);
 }
 
@@ -133,8 +132,7 @@ int32_t cni_active_leave(const cn_world *world, cni_sparse *sparse, const cni_co
 
 void cni_active_levers(const cn_world *world, cni_sparse *sparse, const cni_component *c)
 {
-	int32_t k;
-	for (k = c->active_first; k != CNI_NONE; k = sparse->nodes[k].next_active) {
+	for (int32_t k = c->active_first; k != CNI_NONE; k = sparse->nodes[k].next_active) {
 		cni_node *n = &sparse->nodes[k];
 		if (!(n->active & CNI_ROW_IN_SET))
 			continue;
@@ -148,8 +146,7 @@ void cni_active_levers(const cn_world *world, cni_sparse *sparse, const cni_comp
 static float closing_most(const cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c)
 {
 	float push = world->settings.push_speed_max, fastest_sq = 0.0f, most;
-	int32_t k;
-	for (k = c->body_begin; k < c->body_end; ++k) {
+	for (int32_t k = c->body_begin; k < c->body_end; ++k) {
 		const cni_motion *m = cni_motions(world) + sparse->bodies[k];
 		if (cni_externals(world)[sparse->bodies[k]].flags & CNI_EXTERNAL_TOUCHED)
 			return push;
@@ -163,11 +160,10 @@ static float closing_most(const cn_world *world, const cni_solve *s, const cni_s
 static void ropes_slow(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c)
 {
 	float sum = 0.0f, most = closing_most(world, s, sparse, c);
-	int32_t k;
-	for (k = c->active_first; k != CNI_NONE; k = sparse->nodes[k].next_active)
+	for (int32_t k = c->active_first; k != CNI_NONE; k = sparse->nodes[k].next_active)
 		if (sparse->nodes[k].rows == 0)
 			sum += cni_max(sparse->nodes[k].target, 0.0f);
-	for (k = c->active_first; k != CNI_NONE; k = sparse->nodes[k].next_active) {
+	for (int32_t k = c->active_first; k != CNI_NONE; k = sparse->nodes[k].next_active) {
 		cni_node *n = &sparse->nodes[k];
 		const cni_row *r = active_row(world, n);
 		if (n->rows > 0)
@@ -183,8 +179,7 @@ static void ropes_slow(const cn_world *world, const cni_solve *s, cni_sparse *sp
 
 void cni_active_right_sides(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c, int32_t bias)
 {
-	int32_t k;
-	for (k = c->active_first; k != CNI_NONE; k = sparse->nodes[k].next_active) {
+	for (int32_t k = c->active_first; k != CNI_NONE; k = sparse->nodes[k].next_active) {
 		cni_node *n = &sparse->nodes[k];
 		const cni_row *r = active_row(world, n);
 		n->target = target_speed(world, r, s, bias);
@@ -198,8 +193,7 @@ void cni_active_right_sides(const cn_world *world, const cni_solve *s, cni_spars
 float cni_active_rope_missing(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
 	float most = 0.0f;
-	int32_t k;
-	for (k = c->active_first; k != CNI_NONE; k = sparse->nodes[k].next_active)
+	for (int32_t k = c->active_first; k != CNI_NONE; k = sparse->nodes[k].next_active)
 		if (sparse->nodes[k].rows == 0)
 			most = cni_max(most, missing_speed(world, &sparse->nodes[k], active_row(world, &sparse->nodes[k])));
 	return most;
@@ -233,8 +227,7 @@ int32_t cni_active_change(const cn_world *world, const cni_solve *s, cni_sparse 
 
 void cni_active_impulses_add(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
-	int32_t k;
-	for (k = c->active_first; k != CNI_NONE; k = sparse->nodes[k].next_active)
+	for (int32_t k = c->active_first; k != CNI_NONE; k = sparse->nodes[k].next_active)
 		if (sparse->nodes[k].active & CNI_ROW_IN_SET)
 			active_row(world, &sparse->nodes[k])->impulse += sparse->nodes[k].x[2];
 }

@@ -95,10 +95,9 @@ uint64_t cni_tree_batch_bytes(int32_t joints)
 
 static void waiting_count(batch_builder *m)
 {
-	int32_t k;
 	memset(m->waiting, 0, sizeof m->waiting);
 	m->others = m->world->awake_joints.count;
-	for (k = 0; k < m->sparse->component_count; ++k) {
+	for (int32_t k = 0; k < m->sparse->component_count; ++k) {
 		const cni_component *c = &m->sparse->components[k];
 		if (!c->done && !c->uses_rattle)
 			m->others -= c->joints;
@@ -155,9 +154,8 @@ static void order_by_color(cni_tree_batch *batch)
 
 static void sources_find(cni_tree_batch *batch)
 {
-	int32_t k;
 	batch->bodies = batch->tree.bodies;
-	for (k = 2 * batch->tree.nodes - 1; k >= 0; --k) {
+	for (int32_t k = 2 * batch->tree.nodes - 1; k >= 0; --k) {
 		int32_t body = batch->tree.end[k >> 1][k & 1];
 		batch->source[body] = (uint32_t)((size_t)(k >> 1) * sizeof(cni_joint_block) + (k & 1 ? offsetof(cni_joint_block, ib) : offsetof(cni_joint_block, ia)));
 		batch->bodies = cni_max_i(batch->bodies, body + 1);
@@ -211,7 +209,7 @@ static void component_place(batch_builder *m, cni_component *c)
 	cni_tree_batch **open = &m->open[c->kind];
 	if (m->waiting[c->kind] == 0) {
 		c->batches = 0;
-		cni_direct_begin(m->world, m->s, m->sparse, c);
+		c->pending = 1;
 		return;
 	}
 	--m->waiting[c->kind];
@@ -236,8 +234,7 @@ typedef struct batch_loop {
 static void batch_range(void *context, int32_t begin, int32_t end)
 {
 	batch_loop *loop = (batch_loop *)context;
-	int32_t k;
-	for (k = begin; k < end; ++k)
+	for (int32_t k = begin; k < end; ++k)
 		loop->run(&loop->batches[k], &loop->pass);
 }
 
@@ -256,15 +253,11 @@ void cni_tree_batches_run(cn_world *world, const cni_solve *s, int32_t pass)
 void cni_tree_batches_make(cn_world *world, const cni_solve *s, cni_sparse *sparse)
 {
 	batch_builder m = { world, s, sparse, { 0.0f, 0.0f, { 0.0f, 0.0f, 1.0f } }, { 0 }, { 0 }, 0, { NULL }, NULL };
-	int32_t k, far = cni_joints_are_far(world);
 	waiting_count(&m);
 	batches_reserve(&m);
-	for (k = 0; k < sparse->component_count; ++k) {
-		if (far && k + 1 < sparse->component_count)
-			cni_component_prefetch(world, sparse, k + 1);
+	for (int32_t k = 0; k < sparse->component_count; ++k)
 		if (sparse->components[k].batches)
 			component_place(&m, &sparse->components[k]);
-	}
 	cni_tree_batches_run(world, s, CNI_TREES_BEGIN);
 }
 
@@ -298,8 +291,7 @@ void cni_tree_lane_system(const cni_solve *s, cni_component *c)
 void cni_tree_lane_add(const cni_solve *s, const cni_component *c)
 {
 	cni_joint_block *block = s->direct->batches[c->batch].nodes;
-	int32_t k;
-	for (k = c->begin; k < c->end; ++k, ++block) {
+	for (int32_t k = c->begin; k < c->end; ++k, ++block) {
 		block->jx[c->lane] += s->direct->nodes[k].x[0];
 		block->jy[c->lane] += s->direct->nodes[k].x[1];
 	}

@@ -26,8 +26,7 @@ CNI_INLINE uint32_t lanes_from(const cni_tree_batch *batch, int32_t l)
 
 CNI_INLINE void tree_bodies_gather(const cni_motion *motions, const cni_tree_batch *batch, int32_t l, tree_bodies *f)
 {
-	int32_t k;
-	for (k = 0; k < batch->bodies; ++k) {
+	for (int32_t k = 0; k < batch->bodies; ++k) {
 		const int32_t *index = body_index(batch, k, l);
 		side_gather(motions, index, (const float *)(const void *)((const char *)index + CNI_SIDE_BYTES), &f->body[k]);
 	}
@@ -36,8 +35,7 @@ CNI_INLINE void tree_bodies_gather(const cni_motion *motions, const cni_tree_bat
 CNI_INLINE void tree_bodies_scatter(cni_motion *motions, const cni_tree_batch *batch, int32_t l, const tree_bodies *f)
 {
 	uint32_t lanes = lanes_from(batch, l);
-	int32_t k;
-	for (k = 0; k < batch->tree.bodies; ++k)
+	for (int32_t k = 0; k < batch->tree.bodies; ++k)
 		side_scatter(motions, body_index(batch, k, l), lanes, &f->body[k]);
 }
 
@@ -60,11 +58,7 @@ typedef struct matrix {
 
 CNI_INLINE matrix block_load(const float *p)
 {
-	matrix m;
-	m.m00 = cni_wide_load(p);
-	m.m01 = cni_wide_load(p + CNI_LANES);
-	m.m10 = cni_wide_load(p + 2 * CNI_LANES);
-	m.m11 = cni_wide_load(p + 3 * CNI_LANES);
+	const matrix m = { cni_wide_load(p), cni_wide_load(p + CNI_LANES), cni_wide_load(p + 2 * CNI_LANES), cni_wide_load(p + 3 * CNI_LANES) };
 	return m;
 }
 
@@ -78,10 +72,7 @@ CNI_INLINE void block_store(float *p, const matrix *m)
 
 CNI_INLINE matrix pivot_load(const float *p)
 {
-	matrix m;
-	m.m00 = cni_wide_load(p);
-	m.m01 = m.m10 = cni_wide_load(p + CNI_LANES);
-	m.m11 = cni_wide_load(p + 2 * CNI_LANES);
+	const matrix m = { cni_wide_load(p), cni_wide_load(p + CNI_LANES), cni_wide_load(p + CNI_LANES), cni_wide_load(p + 2 * CNI_LANES) };
 	return m;
 }
 
@@ -149,11 +140,8 @@ CNI_INLINE matrix pivot_invert(float *p, const matrix *least)
 /* left * right */
 CNI_INLINE matrix matrix_times(const matrix *a, const matrix *b)
 {
-	matrix m;
-	m.m00 = a->m00 * b->m00 + a->m01 * b->m10;
-	m.m01 = a->m00 * b->m01 + a->m01 * b->m11;
-	m.m10 = a->m10 * b->m00 + a->m11 * b->m10;
-	m.m11 = a->m10 * b->m01 + a->m11 * b->m11;
+	const matrix m = { a->m00 * b->m00 + a->m01 * b->m10, a->m00 * b->m01 + a->m01 * b->m11,
+		a->m10 * b->m00 + a->m11 * b->m10, a->m10 * b->m01 + a->m11 * b->m11 };
 	return m;
 }
 
@@ -191,12 +179,11 @@ CNI_INLINE void node_eliminate(const cni_tree_batch *batch, int32_t node, int32_
 CNI_INLINE void system_factor(const cni_tree_batch *batch, int32_t l, const tree_bodies *f)
 {
 	matrix least[CNI_TOPOLOGY_NODES];
-	int32_t k;
-	for (k = 0; k < batch->tree.nodes; ++k)
+	for (int32_t k = 0; k < batch->tree.nodes; ++k)
 		diagonal_form(batch, k, l, f, &least[k]);
-	for (k = 0; k < batch->coupling_count; ++k)
+	for (int32_t k = 0; k < batch->coupling_count; ++k)
 		coupling_form(batch, &batch->couplings[k], l, f);
-	for (k = 0; k < batch->tree.nodes; ++k) {
+	for (int32_t k = 0; k < batch->tree.nodes; ++k) {
 		matrix pivot = pivot_invert(pivot_row(batch, k, l), &least[k]);
 		node_eliminate(batch, k, l, &pivot);
 	}
@@ -232,22 +219,21 @@ CNI_INLINE pair right_side(const cni_joint_block *k, int32_t l, const side *a, c
 CNI_INLINE cni_wide system_solve(const cni_tree_batch *batch, int32_t l, pair *x)
 {
 	cni_wide finite = cni_wide_of(0.0f); /* 0 times a finite number stays 0 */
-	int32_t k, e;
-	for (k = 0; k < batch->tree.nodes; ++k) {
+	for (int32_t k = 0; k < batch->tree.nodes; ++k) {
 		pair z = x[k];
-		for (e = batch->first[k]; e < batch->first[k + 1]; ++e) {
+		for (int32_t e = batch->first[k]; e < batch->first[k + 1]; ++e) {
 			matrix m = block_load(block_row(batch, e - batch->block_first, l));
 			pair *y = &x[batch->below[e] - batch->node_first];
 			y->x -= m.m00 * z.x + m.m01 * z.y;
 			y->y -= m.m10 * z.x + m.m11 * z.y;
 		}
 	}
-	for (k = batch->tree.nodes - 1; k >= 0; --k) {
+	for (int32_t k = batch->tree.nodes - 1; k >= 0; --k) {
 		matrix pivot = pivot_load(pivot_row(batch, k, l));
 		pair y = x[k];
 		x[k].x = pivot.m00 * y.x + pivot.m01 * y.y;
 		x[k].y = pivot.m10 * y.x + pivot.m11 * y.y;
-		for (e = batch->first[k]; e < batch->first[k + 1]; ++e) {
+		for (int32_t e = batch->first[k]; e < batch->first[k + 1]; ++e) {
 			matrix m = block_load(block_row(batch, e - batch->block_first, l));
 			const pair *z = &x[batch->below[e] - batch->node_first];
 			x[k].x -= m.m00 * z->x + m.m10 * z->y;
@@ -274,8 +260,7 @@ CNI_INLINE void pin_push(const arms *r, const pair *x, side *a, side *b)
 
 CNI_INLINE void right_sides(const cni_tree_batch *batch, int32_t l, const tree_bodies *f, float rate, float most, pair *x)
 {
-	int32_t k;
-	for (k = 0; k < batch->tree.nodes; ++k)
+	for (int32_t k = 0; k < batch->tree.nodes; ++k)
 		x[k] = right_side(&batch->nodes[k], l, &f->body[batch->tree.end[k][0]], &f->body[batch->tree.end[k][1]], rate, most);
 }
 
@@ -286,10 +271,9 @@ CNI_INLINE void pins_solve(cni_tree_batch *batch, int32_t l, tree_bodies *f, pai
 	const cni_wide zero = cni_wide_of(0.0f);
 	uint32_t direct = batch->nodes[0].direct >> l & ((1u << CNI_WIDTH) - 1u) & selected, broken;
 	cni_mask good = system_solve(batch, l, x) == zero;
-	int32_t k;
 	broken = direct & ~cni_mask_bits(good);
 	good = cni_mask_of_bits(direct & ~broken);
-	for (k = 0; k < batch->tree.nodes; ++k) {
+	for (int32_t k = 0; k < batch->tree.nodes; ++k) {
 		cni_joint_block *node = &batch->nodes[k];
 		arms r = arms_load(node, l);
 		x[k].x = cni_wide_select(good, x[k].x, zero);
@@ -305,8 +289,7 @@ CNI_INLINE void pins_solve(cni_tree_batch *batch, int32_t l, tree_bodies *f, pai
 
 static void batch_begin(cni_tree_batch *batch, const cni_tree_batch_pass *pass)
 {
-	int32_t l;
-	for (l = 0; l < batch->lanes; l += CNI_WIDTH) {
+	for (int32_t l = 0; l < batch->lanes; l += CNI_WIDTH) {
 		tree_bodies f;
 		tree_bodies_gather(pass->motions, batch, l, &f);
 		system_factor(batch, l, &f);
@@ -316,11 +299,10 @@ static void batch_begin(cni_tree_batch *batch, const cni_tree_batch_pass *pass)
 static void batch_warm(cni_tree_batch *batch, const cni_tree_batch_pass *pass)
 {
 	float scale = pass->joint.warm_scale;
-	int32_t l, n;
-	for (l = 0; l < batch->lanes; l += CNI_WIDTH) {
+	for (int32_t l = 0; l < batch->lanes; l += CNI_WIDTH) {
 		tree_bodies f;
 		tree_bodies_gather(pass->motions, batch, l, &f);
-		for (n = 0; n < batch->tree.nodes; ++n) {
+		for (int32_t n = 0; n < batch->tree.nodes; ++n) {
 			int32_t node = batch->order[n];
 			cni_joint_block *k = &batch->nodes[node];
 			arms r = arms_load(k, l);
@@ -354,13 +336,12 @@ CNI_INLINE void node_solve(cni_tree_batch *batch, int32_t node, int32_t l, tree_
 /* The pin impulses of springs, motors and limits are kept in `induced` until positions have moved. */
 static void batch_solve(cni_tree_batch *batch, const cni_tree_batch_pass *pass)
 {
-	int32_t l, n;
-	for (l = 0; l < batch->lanes; l += CNI_WIDTH) {
+	for (int32_t l = 0; l < batch->lanes; l += CNI_WIDTH) {
 		tree_bodies f;
 		pair induced, x[CNI_TOPOLOGY_NODES];
 		int32_t single = has_single(batch, l);
 		tree_bodies_gather(pass->motions, batch, l, &f);
-		for (n = 0; n < batch->tree.nodes; ++n) {
+		for (int32_t n = 0; n < batch->tree.nodes; ++n) {
 			int32_t node = batch->order[n];
 			arms r = arms_load(&batch->nodes[node], l);
 			node_solve(batch, node, l, &f, &r, &pass->joint, 1, single, &induced);
@@ -390,11 +371,10 @@ CNI_INLINE void drift_add(const cni_joint_block *k, int32_t l, const side *a, co
 	const cni_wide zero = cni_wide_of(0.0f), least = cni_wide_of(pass->turn_least);
 	cni_mask turns = cni_wide_max(cni_wide_abs(a->w), cni_wide_abs(b->w)) > least;
 	arms r = arms_load(k, l);
-	pair of_a, of_b;
 	if (cni_mask_bits(turns) == 0)
 		return;
-	of_a = drift(r.ax, r.ay, pass->joint.h * a->w);
-	of_b = drift(r.bx, r.by, pass->joint.h * b->w);
+	pair of_a = drift(r.ax, r.ay, pass->joint.h * a->w);
+	pair of_b = drift(r.bx, r.by, pass->joint.h * b->w);
 	x->x -= cni_wide_select(turns, clamped((of_b.x - of_a.x) * pass->joint.inv_h, pass->push), zero);
 	x->y -= cni_wide_select(turns, clamped((of_b.y - of_a.y) * pass->joint.inv_h, pass->push), zero);
 }
@@ -403,9 +383,8 @@ CNI_INLINE void drift_add(const cni_joint_block *k, int32_t l, const side *a, co
 static void batch_project(cni_tree_batch *batch, const cni_tree_batch_pass *pass)
 {
 	const cni_wide most = cni_wide_of(pass->opening_speed);
-	int32_t l, k;
 	batch->opening = 0;
-	for (l = 0; l < batch->lanes; l += CNI_WIDTH) {
+	for (int32_t l = 0; l < batch->lanes; l += CNI_WIDTH) {
 		uint32_t selected = batch->selected & batch->nodes[0].direct, opening = 0;
 		pair x[CNI_TOPOLOGY_NODES];
 		tree_bodies f;
@@ -414,7 +393,7 @@ static void batch_project(cni_tree_batch *batch, const cni_tree_batch_pass *pass
 			continue;
 		tree_bodies_gather(pass->motions, batch, l, &f);
 		right_sides(batch, l, &f, pass->rate, pass->push, x);
-		for (k = 0; k < batch->tree.nodes; ++k) {
+		for (int32_t k = 0; k < batch->tree.nodes; ++k) {
 			drift_add(&batch->nodes[k], l, &f.body[batch->tree.end[k][0]], &f.body[batch->tree.end[k][1]], pass, &x[k]);
 			opening |= cni_mask_bits(cni_wide_max(cni_wide_abs(x[k].x), cni_wide_abs(x[k].y)) > most);
 		}
@@ -435,8 +414,7 @@ typedef struct tree_motion {
 
 CNI_INLINE void tree_motion_gather(const cni_motion *motions, const cni_velocity_start *starts, const cni_tree_batch *batch, int32_t l, tree_motion *j)
 {
-	int32_t k;
-	for (k = 0; k < batch->bodies; ++k) {
+	for (int32_t k = 0; k < batch->bodies; ++k) {
 		const int32_t *index = body_index(batch, k, l);
 		j->at[k] = place_gather(motions, index);
 		cni_wide_gather4((const float *)(const void *)starts, START_FLOATS, index, &j->vx[k], &j->vy[k], &j->w[k], &j->jumped[k]);
@@ -446,8 +424,7 @@ CNI_INLINE void tree_motion_gather(const cni_motion *motions, const cni_velocity
 CNI_INLINE void tree_motion_scatter(cni_velocity_start *starts, const cni_tree_batch *batch, int32_t l, const tree_motion *j)
 {
 	uint32_t lanes = lanes_from(batch, l);
-	int32_t k;
-	for (k = 0; k < batch->tree.bodies; ++k)
+	for (int32_t k = 0; k < batch->tree.bodies; ++k)
 		moving_scatter((float *)(void *)starts, START_FLOATS, body_index(batch, k, l), lanes, j->vx[k], j->vy[k], j->w[k], j->jumped[k]);
 }
 
@@ -462,15 +439,14 @@ CNI_INLINE cni_wide induced_add(float *impulse, float *induced)
 
 static void batch_relax(cni_tree_batch *batch, const cni_tree_batch_pass *pass)
 {
-	int32_t l, n;
-	for (l = 0; l < batch->lanes; l += CNI_WIDTH) {
+	for (int32_t l = 0; l < batch->lanes; l += CNI_WIDTH) {
 		tree_bodies f;
 		tree_motion j;
 		pair x[CNI_TOPOLOGY_NODES];
 		int32_t single = has_single(batch, l);
 		tree_bodies_gather(pass->motions, batch, l, &f);
 		tree_motion_gather(pass->motions, pass->starts, batch, l, &j);
-		for (n = 0; n < batch->tree.nodes; ++n) {
+		for (int32_t n = 0; n < batch->tree.nodes; ++n) {
 			int32_t node = batch->order[n], a = batch->tree.end[node][0], b = batch->tree.end[node][1];
 			cni_joint_block *k = &batch->nodes[node];
 			cni_wide jx = induced_add(k->jx + l, k->induced_x + l), jy = induced_add(k->jy + l, k->induced_y + l);

@@ -7,8 +7,7 @@
 
 void cni_direct_motions_save(const cn_world *world, const cni_sparse *sparse, const cni_component *c, int32_t restore)
 {
-	int32_t k;
-	for (k = c->body_begin; k < c->body_end; ++k) {
+	for (int32_t k = c->body_begin; k < c->body_end; ++k) {
 		cni_motion *m = cni_motions(world) + sparse->bodies[k], *saved = sparse->saved + k;
 		*(restore ? m : saved) = *(restore ? saved : m);
 	}
@@ -16,16 +15,12 @@ void cni_direct_motions_save(const cn_world *world, const cni_sparse *sparse, co
 
 void cni_direct_rotations(const cn_world *world, cni_sparse *sparse, const cni_component *c)
 {
-	int32_t k;
-	sparse->turn[0] = cni_rot_small(0.0f);
-	for (k = c->begin; k < c->end; ++k) { /* kinematic bodies too, which are not in the component's body list */
+	for (int32_t k = c->begin; c->meets_kinematic && k < c->end; ++k) { /* these are not in the component's body list */
 		const cni_node *n = &sparse->nodes[k];
-		if (cni_motions(world)[n->ia].inv_mass == 0.0f)
-			sparse->turn[n->ia] = cni_rot_small(cni_motions(world)[n->ia].theta);
-		if (cni_motions(world)[n->ib].inv_mass == 0.0f)
-			sparse->turn[n->ib] = cni_rot_small(cni_motions(world)[n->ib].theta);
+		sparse->turn[n->ia] = cni_rot_small(cni_motions(world)[n->ia].theta);
+		sparse->turn[n->ib] = cni_rot_small(cni_motions(world)[n->ib].theta);
 	}
-	for (k = c->body_begin; k < c->body_end; ++k)
+	for (int32_t k = c->body_begin; k < c->body_end; ++k)
 		sparse->turn[sparse->bodies[k]] = cni_rot_small(cni_motions(world)[sparse->bodies[k]].theta);
 }
 
@@ -46,8 +41,7 @@ int32_t cni_component_is_braced(const cni_component *c, int32_t held)
 
 void cni_component_release(cn_world *world, cni_sparse *sparse, cni_component *c)
 {
-	int32_t k;
-	for (k = c->begin; k < c->end; ++k)
+	for (int32_t k = c->begin; k < c->end; ++k)
 		if (sparse->nodes[k].owner >= 0) {
 			cni_joint_constraints(world)[sparse->nodes[k].owner].flags &= ~(uint32_t)CNI_CONSTRAINT_DIRECT;
 			cni_joint_constraints(world)[sparse->nodes[k].owner].active_row = CNI_NONE;
@@ -65,12 +59,10 @@ float cni_direct_soft_part(const cn_world *world, float impulse, int32_t ia, int
 
 void cni_component_suspend(cn_world *world, cni_sparse *sparse, cni_component *c, int32_t span)
 {
-	int32_t k;
-	for (k = c->begin; k < c->end; ++k) {
-		cni_joint_trust *t;
+	for (int32_t k = c->begin; k < c->end; ++k) {
 		if (sparse->nodes[k].owner < 0)
 			continue;
-		t = &cni_joint_at(world, cni_joint_constraints(world)[sparse->nodes[k].owner].joint)->trust;
+		cni_joint_trust *t = &cni_joint_at(world, cni_joint_constraints(world)[sparse->nodes[k].owner].joint)->trust;
 		if (span == 0)
 			cni_trust_fail(world, t, 1);
 		else
@@ -101,14 +93,12 @@ static void angle_decouple(cni_node *n, const cni_motion *a, const cni_motion *b
    apart: what a gap's closing gives to light parts they keep. */
 static void levers_read(const cn_world *world, cni_sparse *sparse, const cni_component *c, float rate)
 {
-	int32_t k, i;
-	for (k = c->begin; k < c->end; ++k) {
+	for (int32_t k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
-		const cni_row *rows;
 		if (n->owner < 0)
 			continue;
-		rows = cni_joint_constraints(world)[n->owner].rows;
-		for (i = 0; i < n->rows; ++i) {
+		const cni_row *rows = cni_joint_constraints(world)[n->owner].rows;
+		for (int32_t i = 0; i < n->rows; ++i) {
 			float most = cni_row_push_speed(world, &rows[i]);
 			cni_levers_set(&n->levers, i, rows[i].lever);
 			n->closing[i] = cni_clamp(rate * rows[i].error, -most, most);
@@ -126,8 +116,7 @@ void cni_direct_refresh(cn_world *world, cni_sparse *sparse, const cni_component
 
 void cni_component_rows_need(cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c)
 {
-	int32_t k;
-	for (k = c->begin; k < c->end; ++k)
+	for (int32_t k = c->begin; k < c->end; ++k)
 		if (sparse->nodes[k].owner >= 0)
 			cni_joint_rows_need(world, s, cni_joint_constraints(world) + sparse->nodes[k].owner);
 }
@@ -167,8 +156,7 @@ static void solution_push(cn_world *world, const cni_sparse *sparse, const cni_c
 	cni_motion *motions = cni_motions(world);
 	cni_joint_constraint *constraints = cni_joint_constraints(world);
 	const int32_t end = c->end, width = c->width;
-	int32_t k;
-	for (k = c->begin; k < end; ++k) {
+	for (int32_t k = c->begin; k < end; ++k) {
 		const cni_node *n = &sparse->nodes[k];
 		if (n->owner < 0)
 			continue;
@@ -185,10 +173,9 @@ static void solution_push(cn_world *world, const cni_sparse *sparse, const cni_c
 static void leaks_add(const cn_world *world, cni_sparse *sparse, const cni_component *c)
 {
 	const cni_joint_constraint *constraints = cni_joint_constraints(world);
-	int32_t k, i;
-	for (k = c->begin; k < c->end; ++k) {
+	for (int32_t k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
-		for (i = 0; i < n->rows && n->owner >= 0; ++i) {
+		for (int32_t i = 0; i < n->rows && n->owner >= 0; ++i) {
 			const cni_row *rows = constraints[n->owner].rows;
 			float impulse = rows[i].impulse;
 			if (i > 0 && i == n->rows - 1)
@@ -200,16 +187,14 @@ static void leaks_add(const cn_world *world, cni_sparse *sparse, const cni_compo
 
 static void impulses_undo(cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
-	int32_t k;
-	for (k = c->begin; k < c->end; ++k)
+	for (int32_t k = c->begin; k < c->end; ++k)
 		if (sparse->nodes[k].owner >= 0)
 			cni_node_impulses_add(&sparse->nodes[k], cni_joint_constraints(world)[sparse->nodes[k].owner].rows, sparse->nodes[k].x, -1.0f);
 }
 
 static void sides_save(cni_sparse *sparse, const cni_component *c, int32_t restore)
 {
-	int32_t k;
-	for (k = c->begin; k < c->end; ++k) {
+	for (int32_t k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
 		memcpy(restore ? n->x : n->carried, restore ? n->carried : n->x, sizeof n->x);
 	}
@@ -224,16 +209,15 @@ static int32_t is_bounded(const cn_world *world, const cni_sparse *sparse, const
 {
 	cni_four work = cni_four_all(0.0f), change = work, before = work;
 	float fastest = world->settings.push_speed_max, push = 0.0f, all;
-	int32_t k, i;
-	for (k = c->begin; k < c->end; ++k) {
+	for (int32_t k = c->begin; k < c->end; ++k) {
 		const cni_node *n = &sparse->nodes[k];
 		work = cni_four_add(work, cni_four_times(cni_four_load(n->carried), cni_four_load(n->x)));
-		for (i = 0; i < n->rows && n->owner >= 0; ++i)
+		for (int32_t i = 0; i < n->rows && n->owner >= 0; ++i)
 			fastest = cni_max(fastest, cni_abs(n->closing[i]) * cni_row_length(world, &cni_joint_constraints(world)[n->owner].rows[i]));
 		if (n->active & CNI_ROW_IN_SET)
 			push += cni_abs(n->target * n->x[2]);
 	}
-	for (k = c->body_begin; k < c->body_end; ++k) {
+	for (int32_t k = c->body_begin; k < c->body_end; ++k) {
 		const cni_motion *m = cni_motions(world) + sparse->bodies[k];
 		float mass = cni_inverse_or_zero(m->inv_mass);
 		cni_four masses = cni_four_of(mass, mass, cni_inverse_or_zero(m->inv_inertia), 0.0f), old = cni_four_load(&sparse->saved[k].vx);
@@ -251,8 +235,7 @@ static void dampers_forget(cn_world *world, const cni_sparse *sparse, const cni_
 {
 	const cni_motion *motions = cni_motions(world);
 	cni_velocity_start *starts = cni_starts(world);
-	int32_t k;
-	for (k = c->begin; k < c->end && c->damps; ++k) {
+	for (int32_t k = c->begin; k < c->end && c->damps; ++k) {
 		const cni_node *n = &sparse->nodes[k];
 		if (n->x[2] == 0.0f || n->rows != 2 || n->owner < 0 || (n->active & CNI_ROW_IN_SET))
 			continue;
@@ -294,8 +277,7 @@ void cni_direct_right_sides(cn_world *world, const cni_solve *s, const cni_compo
 	const cni_motion *motions = cni_motions(world);
 	const float part = bias ? 1.0f : 0.0f;
 	cni_node *nodes = s->direct->nodes;
-	int32_t k;
-	for (k = c->begin; k < c->end; ++k) {
+	for (int32_t k = c->begin; k < c->end; ++k) {
 		cni_node *n = &nodes[k];
 		cni_four speed = cni_levers_speed(&n->levers, motions + n->ia, motions + n->ib);
 		cni_four_store(n->total, speed);
@@ -313,12 +295,11 @@ void cni_direct_right_sides(cn_world *world, const cni_solve *s, const cni_compo
 static void sides_renew(const cn_world *world, cni_sparse *sparse, const cni_component *c, int32_t first)
 {
 	const cni_motion *motions = cni_motions(world);
-	int32_t k, i;
-	for (k = c->begin; k < c->end; ++k) {
+	for (int32_t k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
 		float speed[CNI_NODE_LANES];
 		cni_four_store(speed, cni_levers_speed(&n->levers, motions + n->ia, motions + n->ib));
-		for (i = 0; i < CNI_NODE_ROWS; ++i) {
+		for (int32_t i = 0; i < CNI_NODE_ROWS; ++i) {
 			n->total[i] = i >= n->rows ? 0.0f : first ? n->carried[i] + n->total[i] : n->total[i];
 			n->x[i] = n->total[i] - speed[i];
 		}
@@ -330,8 +311,7 @@ static void sides_renew(const cn_world *world, cni_sparse *sparse, const cni_com
 /* Solves the right sides for impulses with the active set. 0: the solution is not finite. */
 static int32_t set_solve(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c)
 {
-	int32_t round;
-	for (round = 0;; ++round) {
+	for (int32_t round = 0;; ++round) {
 		if (!cni_direct_apply(world, sparse, c))
 			return 0;
 		if (round == CNI_JOINT_SET_ROUNDS || !cni_active_change(world, s, sparse, c))
@@ -355,26 +335,27 @@ static void row_forget(const cn_world *world, cni_row *r, int32_t ia, int32_t ib
 
 /* Its joints are soft from now on, without the impulses of the solution that failed: they cancel each other in light bodies, and soft joints,
    which yield one by one, would throw those. */
-static void component_fail(cn_world *world, cni_sparse *sparse, cni_component *c)
+void cni_component_give_up(cn_world *world, cni_sparse *sparse, cni_component *c)
 {
-	int32_t k, i;
-	for (k = c->begin; k < c->end; ++k) {
+	for (int32_t k = c->begin; c->pending == CNI_FAILED_JOINTS && k < c->end; ++k) {
 		cni_joint_constraint *w = cni_joint_constraints(world) + sparse->nodes[k].owner;
-		for (i = 0; sparse->nodes[k].owner >= 0 && i < w->row_count; ++i)
+		for (int32_t i = 0; sparse->nodes[k].owner >= 0 && i < w->row_count; ++i)
 			row_forget(world, &w->rows[i], w->ia, w->ib);
 	}
-	cni_component_suspend(world, sparse, c, 0);
+	if (c->pending)
+		cni_component_suspend(world, sparse, c, 0);
+	c->pending = 0;
 }
 
 void cni_component_solve(cn_world *world, const cni_solve *s, cni_component *c)
 {
 	if (!(c->active ? set_solve(world, s, s->direct, c) : cni_direct_apply(world, s->direct, c)))
-		component_fail(world, s->direct, c);
+		c->pending = CNI_FAILED_JOINTS;
 }
 
 int32_t cni_component_lock(cn_world *world, const cni_solve *s, cni_component *c, float turn)
 {
-	if (c->has_contacts || c->done || c->active || !cni_geometric_stiffness_lock(world, s->direct, c, turn * s->inv_h))
+	if (c->has_contacts || c->done || c->pending || c->active || !cni_geometric_stiffness_lock(world, s->direct, c, turn * s->inv_h))
 		return 0;
 	cni_sparse_factor(s->direct, c, cni_motions(world));
 	cni_direct_right_sides(world, s, c, 1);

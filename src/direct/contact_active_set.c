@@ -42,10 +42,8 @@ static void friction_follow(cni_direct_contact *p)
 void cni_direct_contact_gap_speeds_find(const cni_direct_contact_pass *q)
 {
 	float touch = CNI_CONTACT_SET_TOUCHING * q->world->settings.length_unit;
-	cni_direct_contact *p;
-	int32_t i;
-	for (p = q->first; p < q->end; ++p) {
-		for (i = 0; i < 2; ++i) {
+	for (cni_direct_contact *p = q->first; p < q->end; ++p) {
+		for (int32_t i = 0; i < 2; ++i) {
 			float s = p->mass[i] > 0.0f ? cni_direct_contact_separation(p, i, q->motions + p->ia, q->motions + p->ib) : 0.0f, push;
 			s = s > 0.0f ? cni_max(s - touch, 0.0f) : cni_min(s + touch, 0.0f);
 			push = CNI_CONTACT_SET_PUSH_RATE * q->s->inv_h * s;
@@ -62,17 +60,16 @@ void cni_direct_contact_gap_speeds_find(const cni_direct_contact_pass *q)
  */
 void cni_direct_contact_impulses_clear(const cni_direct_contact_pass *q)
 {
-	int32_t k, i;
-	for (k = q->c->body_begin; k < q->c->body_end; ++k) {
+	for (int32_t k = q->c->body_begin; k < q->c->body_end; ++k) {
 		cni_motion *m = q->motions + q->sparse->bodies[k];
 		const cni_velocity_start *start = cni_starts(q->world) + q->sparse->bodies[k];
 		m->vx = start->vx;
 		m->vy = start->vy;
 		m->w = start->w;
 	}
-	for (k = q->c->begin; k < q->c->end; ++k) {
+	for (int32_t k = q->c->begin; k < q->c->end; ++k) {
 		const cni_node *n = &q->sparse->nodes[k];
-		for (i = 0; n->owner >= 0 && i < cni_joint_constraints(q->world)[n->owner].row_count; ++i) {
+		for (int32_t i = 0; n->owner >= 0 && i < cni_joint_constraints(q->world)[n->owner].row_count; ++i) {
 			cni_row *r = &cni_joint_constraints(q->world)[n->owner].rows[i];
 			if (i < n->rows)
 				r->impulse = 0.0f;
@@ -85,14 +82,12 @@ void cni_direct_contact_impulses_clear(const cni_direct_contact_pass *q)
 /* Initial state of every round of a pass: no impulses, or those of the last pass. */
 void cni_direct_contact_round_begin(const cni_direct_contact_pass *q)
 {
-	cni_direct_contact *p;
-	int32_t i;
 	if (q->bias)
 		cni_direct_contact_impulses_clear(q);
 	else
 		cni_direct_motions_save(q->world, q->sparse, q->c, 1);
-	for (p = q->first; p < q->end; ++p)
-		for (i = 0; i < 3; ++i) {
+	for (cni_direct_contact *p = q->first; p < q->end; ++p)
+		for (int32_t i = 0; i < 3; ++i) {
 			p->start[i] = q->bias && !q->warm ? 0.0f : q->sparse->nodes[p->node].carried[i];
 			if (q->bias)
 				cni_direct_contact_push(p, i, p->start[i], q->motions + p->ia, q->motions + p->ib);
@@ -101,18 +96,15 @@ void cni_direct_contact_round_begin(const cni_direct_contact_pass *q)
 
 void cni_direct_contact_states_save(const cni_direct_contact_pass *q, int32_t restore)
 {
-	cni_direct_contact *p;
-	for (p = q->first; p < q->end; ++p)
+	for (cni_direct_contact *p = q->first; p < q->end; ++p)
 		memcpy(restore ? p->state : p->state_kept, restore ? p->state_kept : p->state, sizeof p->state);
 }
 
 /* Activates touching points that do not separate: in a new pile all of them must carry at once. */
 static void touching_activate(const cni_direct_contact_pass *q)
 {
-	cni_direct_contact *p;
-	int32_t i;
-	for (p = q->first; p < q->end; ++p) {
-		for (i = 0; i < 2; ++i)
+	for (cni_direct_contact *p = q->first; p < q->end; ++p) {
+		for (int32_t i = 0; i < 2; ++i)
 			if (p->mass[i] > 0.0f && p->state[i] == CNI_ROW_OPEN && speed_of(q, p, i) + p->gap_speed[i] < q->speed_least)
 				p->state[i] = CNI_ROW_ACTIVE;
 		friction_follow(p);
@@ -146,11 +138,10 @@ static int32_t set_apply(const cni_direct_contact_pass *q)
 	for (k = q->c->begin; k < q->c->end; ++k) {
 		cni_node *n = &q->sparse->nodes[k];
 		cni_direct_contact *p = cni_direct_contact_of(q->sparse, n);
-		float sum;
 		n->total[0] = n->total[1] = n->total[2] = 0.0f;
 		if (p == NULL)
 			continue;
-		sum = normal_sum(p);
+		float sum = normal_sum(p);
 		for (i = 0; i < 3; ++i) {
 			p->j[i] = p->state[i] == CNI_ROW_ACTIVE ? p->start[i] : p->state[i] == CNI_ROW_SLIDES ? p->slide_sign * p->dynamic_friction * cni_max(sum, 0.0f) : 0.0f;
 			cni_direct_contact_push(p, i, p->j[i] - p->start[i], q->motions + n->ia, q->motions + n->ib);
@@ -172,13 +163,12 @@ static float prescribed_speed(const cni_direct_contact_pass *q, const cni_direct
 static float right_sides(const cni_direct_contact_pass *q)
 {
 	float largest = 0.0f;
-	int32_t k, i;
-	for (k = q->c->begin; k < q->c->end; ++k) {
+	for (int32_t k = q->c->begin; k < q->c->end; ++k) {
 		cni_node *n = &q->sparse->nodes[k];
 		const cni_direct_contact *p = cni_direct_contact_of(q->sparse, n);
 		float speed[CNI_NODE_LANES];
 		cni_four_store(speed, cni_levers_speed(&n->levers, q->motions + n->ia, q->motions + n->ib));
-		for (i = 0; i < CNI_NODE_ROWS; ++i) {
+		for (int32_t i = 0; i < CNI_NODE_ROWS; ++i) {
 			float more = p != NULL ? prescribed_speed(q, p, i) : q->bias ? n->closing[i] : 0.0f;
 			n->x[i] = -speed[i] - more;
 			largest = cni_max(largest, cni_abs(n->x[i]));
@@ -189,12 +179,11 @@ static float right_sides(const cni_direct_contact_pass *q)
 
 static void velocities_push(const cni_direct_contact_pass *q)
 {
-	int32_t k, i;
-	for (k = q->c->begin; k < q->c->end; ++k) {
+	for (int32_t k = q->c->begin; k < q->c->end; ++k) {
 		cni_node *n = &q->sparse->nodes[k];
 		cni_direct_contact *p = cni_direct_contact_of(q->sparse, n);
 		cni_levers_push(&n->levers, n->x, q->motions + n->ia, q->motions + n->ib, CNI_NODE_ROWS);
-		for (i = 0; i < CNI_NODE_ROWS; ++i) {
+		for (int32_t i = 0; i < CNI_NODE_ROWS; ++i) {
 			n->total[i] += n->x[i];
 			if (p != NULL && p->state[i] == CNI_ROW_ACTIVE)
 				p->j[i] += n->x[i];
@@ -279,10 +268,9 @@ static void violation_fix(const violation *m)
 static int32_t set_update(const cni_direct_contact_pass *q, int32_t all)
 {
 	violation worst = { NULL, 0, 0, 0.0f };
-	cni_direct_contact *p;
 	int32_t i, violations = 0, off = 0;
 	worst.by = q->speed_least;
-	for (p = q->first; p < q->end; ++p) {
+	for (cni_direct_contact *p = q->first; p < q->end; ++p) {
 		float most = p->dynamic_friction * cni_max(normal_sum(p), 0.0f);
 		violation m[3];
 		off |= p->state[2] == CNI_ROW_SLIDES && cni_abs(cni_abs(p->j[2]) - most) > CNI_SLIDE_CLOSE * most + q->speed_least * p->mass[2];
@@ -315,8 +303,7 @@ static int32_t set_try(const cni_direct_contact_pass *q, int32_t all)
    set_try. */
 static int32_t slides_match(const cni_direct_contact_pass *q, int32_t all, int32_t violations)
 {
-	int32_t k;
-	for (k = 0; violations < 0 && k < CNI_CONTACT_SET_SLIDES; ++k)
+	for (int32_t k = 0; violations < 0 && k < CNI_CONTACT_SET_SLIDES; ++k)
 		violations = set_try(q, all);
 	return violations;
 }

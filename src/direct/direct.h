@@ -32,6 +32,8 @@ void cni_direct_project(cn_world *world, const cni_solve *s);
 void cni_direct_store(cn_world *world, const cni_solve *s);
 /* At the end of a substep: adds the impulses of directly solved contacts to the sums of those that report them. */
 void cni_direct_sum_impulses(cn_world *world, const struct cni_sparse *sparse);
+/* The world's workers, where there is enough to do in loops over components that take as long as so many factorizations; NULL: this thread alone. */
+cni_team *cni_components_team(const cn_world *world, const struct cni_sparse *sparse, int32_t times);
 /* Integrates the whole step of bodies that only joints constrain (RATTLE). */
 void cni_rattle_run(cn_world *world, const cni_solve *s);
 

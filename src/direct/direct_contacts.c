@@ -17,13 +17,12 @@
 
 static void commit(const cni_direct_contact_pass *q)
 {
-	cni_direct_contact *p;
 	for (int32_t k = q->c->begin; k < q->c->end; ++k) {
 		const cni_node *n = &q->sparse->nodes[k];
 		if (n->owner >= 0)
 			cni_node_impulses_add(n, cni_joint_constraints(q->world)[n->owner].rows, n->total, 1.0f);
 	}
-	for (p = q->first; p < q->end; ++p) {
+	for (cni_direct_contact *p = q->first; p < q->end; ++p) {
 		p->j[0] = cni_max(p->j[0], 0.0f);
 		p->j[1] = cni_max(p->j[1], 0.0f);
 		p->untouched = 0;
@@ -48,8 +47,7 @@ static void state_save(const cni_direct_contact_pass *q, int32_t restore)
 /* Before the first pass of a step: impulses of the last step for this one's length of a substep. */
 static void impulses_scale(const cni_direct_contact_pass *q)
 {
-	cni_direct_contact *p;
-	for (p = q->first; p < q->end; ++p)
+	for (cni_direct_contact *p = q->first; p < q->end; ++p)
 		for (int32_t i = 0; p->untouched && i < 3; ++i)
 			p->j[i] = q->s->warm_scale * p->first[i];
 }
@@ -64,15 +62,14 @@ static void soft_state_restore(const cni_direct_contact_pass *q)
 {
 	int32_t all = q->c->joints == 0;
 	float part = 1.0f;
-	cni_direct_contact *p;
 	if (all)
 		cni_direct_contact_impulses_clear(q);
 	else
 		state_save(q, 1);
-	for (p = q->first; p < q->end; ++p)
+	for (cni_direct_contact *p = q->first; p < q->end; ++p)
 		if (all || p->untouched)
 			part = cni_min(part, cni_direct_soft_part(q->world, p->first[0] + p->first[1], p->ia, p->ib));
-	for (p = q->first; p < q->end; ++p) {
+	for (cni_direct_contact *p = q->first; p < q->end; ++p) {
 		if (!all && !p->untouched)
 			continue;
 		p->untouched = 1;
@@ -88,8 +85,7 @@ static void soft_state_restore(const cni_direct_contact_pass *q)
 /* 1: no contact was pushed. The speeds are then closed already, and only the lever arms of joints turn. */
 static int32_t nothing_was_pushed(const cni_direct_contact_pass *q)
 {
-	const cni_direct_contact *p;
-	for (p = q->first; p < q->end; ++p)
+	for (const cni_direct_contact *p = q->first; p < q->end; ++p)
 		if (p->gap_speed[0] < -q->speed_least || p->gap_speed[1] < -q->speed_least)
 			return 0;
 	return q->c->joints == 0;
@@ -147,9 +143,8 @@ static int32_t was_moving(const cni_direct_contact_pass *q)
 /* Twice the work of pushing overlaps apart. */
 static float push_work(const cni_direct_contact_pass *q)
 {
-	const cni_direct_contact *p;
 	float sum = 0.0f;
-	for (p = q->first; p < q->end; ++p)
+	for (const cni_direct_contact *p = q->first; p < q->end; ++p)
 		for (int32_t i = 0; i < 2; ++i)
 			sum += 2.0f * p->j[i] * cni_max(-p->gap_speed[i], 0.0f);
 	return sum;
@@ -201,8 +196,7 @@ static int32_t contact_starts_moving(const cni_direct_contact_pass *q, const cni
 
 static int32_t starts_moving(const cni_direct_contact_pass *q)
 {
-	const cni_direct_contact *p;
-	for (p = q->first; p < q->end; ++p)
+	for (const cni_direct_contact *p = q->first; p < q->end; ++p)
 		if (contact_starts_moving(q, p))
 			return 1;
 	return 0;

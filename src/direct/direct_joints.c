@@ -16,14 +16,15 @@
 
 #include <string.h>
 
+#define COMPONENTS_A_RANGE 4
+
 /* ---- the components of a step ---- */
 
 /* Work of a step, in the units of work_budget. */
 static int32_t work_planned(const cn_world *world, const cni_sparse *sparse)
 {
 	int64_t work = 0;
-	int32_t k;
-	for (k = 0; k < sparse->component_count; ++k)
+	for (int32_t k = 0; k < sparse->component_count; ++k)
 		work += sparse->components[k].done ? 0 : (int64_t)sparse->components[k].work * world->settings.substeps;
 	return work < INT32_MAX ? (int32_t)work : INT32_MAX;
 }
@@ -44,8 +45,7 @@ static int32_t is_row(const cni_component *c, int32_t held)
 /* Pins and rods alone, and welds where it is a row. */
 static int32_t may_be_straight(const cn_world *world, const cni_sparse *sparse, const cni_component *c, int32_t fixed)
 {
-	int32_t k;
-	for (k = c->begin; k < c->end; ++k) {
+	for (int32_t k = c->begin; k < c->end; ++k) {
 		int32_t type = cni_joint_constraints(world)[sparse->nodes[k].owner].record->type;
 		if (sparse->nodes[k].rows != 2 && type != CN_JOINT_DISTANCE && !(is_row(c, fixed) && type == CN_JOINT_FIXED))
 			return 0;
@@ -66,8 +66,7 @@ static float gap_of(const cni_joint_constraint *w)
 static float widest_gap(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
 	float most = 0.0f;
-	int32_t k;
-	for (k = c->begin; k < c->end; ++k)
+	for (int32_t k = c->begin; k < c->end; ++k)
 		most = cni_max(most, gap_of(cni_joint_constraints(world) + sparse->nodes[k].owner));
 	return most;
 }
@@ -112,9 +111,8 @@ static int32_t loop_is_better_soft(const cn_world *world, const cni_solve *s, co
 /* Contacts between two of its bodies are scaled twice. */
 static void contact_impulses_scale(cn_world *world, const cni_sparse *sparse, const cni_component *c, float part)
 {
-	int32_t k, key;
-	for (k = c->body_begin; k < c->body_end; ++k)
-		for (key = cni_body_at(world, cni_awake_ids(world)[sparse->bodies[k]])->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
+	for (int32_t k = c->body_begin; k < c->body_end; ++k)
+		for (int32_t key = cni_body_at(world, cni_awake_ids(world)[sparse->bodies[k]])->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
 			const cni_contact *contact = cni_contact_of_key(world, key);
 			if (cni_contact_has_lane(contact))
 				cni_block_scale_impulses(cni_block_at(world, contact->slot / CNI_LANES), contact->slot % CNI_LANES, part);
@@ -129,8 +127,7 @@ static void contact_impulses_scale(cn_world *world, const cni_sparse *sparse, co
 static void impulses_soften(cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
 	float part = 1.0f;
-	int32_t k, i;
-	for (k = c->begin; k < c->end; ++k) {
+	for (int32_t k = c->begin; k < c->end; ++k) {
 		const cni_joint_constraint *w = cni_joint_constraints(world) + sparse->nodes[k].owner;
 		float sum = cni_joint_impulse_sum(world, w->record, sparse->nodes[k].rows > 0 ? sparse->nodes[k].rows : CNI_JOINT_ROWS); /* a rope has one */
 		part = cni_min(part, cni_direct_soft_part(world, sum, w->ia, w->ib));
@@ -138,12 +135,12 @@ static void impulses_soften(cn_world *world, const cni_sparse *sparse, const cni
 	if (part == 1.0f)
 		return;
 	contact_impulses_scale(world, sparse, c, part);
-	for (k = c->begin; k < c->end; ++k) {
+	for (int32_t k = c->begin; k < c->end; ++k) {
 		cni_joint_constraint *w = cni_joint_constraints(world) + sparse->nodes[k].owner;
 		float *impulse = cni_joint_at(world, w->joint)->impulse;
-		for (i = 0; i < CNI_JOINT_ROWS; ++i)
+		for (int32_t i = 0; i < CNI_JOINT_ROWS; ++i)
 			impulse[i] *= part;
-		for (i = 0; i < w->row_count; ++i)
+		for (int32_t i = 0; i < w->row_count; ++i)
 			w->rows[i].impulse *= part;
 	}
 }
@@ -201,8 +198,7 @@ static int32_t is_forced(const cn_world *world, const cni_joint_constraint *w)
    throw it when it is let go. */
 static int32_t is_contradictory(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
-	int32_t k;
-	for (k = c->begin; k < c->end && !c->has_contacts; ++k)
+	for (int32_t k = c->begin; k < c->end && !c->has_contacts; ++k)
 		if (is_forced(world, cni_joint_constraints(world) + sparse->nodes[k].owner))
 			return 1;
 	return 0;
@@ -220,12 +216,19 @@ static int32_t is_redundant(cn_world *world, const cni_solve *s, cni_sparse *spa
 	return 0;
 }
 
+/* 1: the body cannot move, and is not static, which is 0. */
+static int32_t is_kinematic(const cn_world *world, int32_t index)
+{
+	return index > 0 && !cni_motion_can_move(cni_motions(world) + index);
+}
+
 static void bodies_look(const cn_world *world, const cni_sparse *sparse, cni_component *c)
 {
 	float least = FLT_MAX, most = 0.0f;
-	int32_t k;
-	c->touched = 0;
-	for (k = c->body_begin; k < c->body_end; ++k) {
+	c->touched = c->meets_kinematic = c->pending = 0;
+	for (int32_t k = c->begin; k < c->end; ++k)
+		c->meets_kinematic |= is_kinematic(world, sparse->nodes[k].ia) || is_kinematic(world, sparse->nodes[k].ib);
+	for (int32_t k = c->body_begin; k < c->body_end; ++k) {
 		float inv_mass = cni_motions(world)[sparse->bodies[k]].inv_mass;
 		most = cni_max(most, inv_mass);
 		least = inv_mass > 0.0f ? cni_min(least, inv_mass) : least;
@@ -270,13 +273,20 @@ static void passes_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse
 	c->batches = CNI_ON(TREE_BATCHES) && cni_component_is_batched(world, s, sparse, c, has_heavy);
 	if (!c->batches) {
 		c->kind = CNI_NONE;
-		cni_direct_begin(world, s, sparse, c);
+		c->pending = 1;
 	}
+}
+
+static void pending_begin(cn_world *world, const cni_solve *s, cni_component *c, int32_t argument)
+{
+	(void)argument;
+	if (c->pending)
+		cni_direct_begin(world, s, s->direct, c);
+	c->pending = 0;
 }
 
 void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 {
-	int32_t k, far = cni_joints_are_far(world);
 	memset(out, 0, sizeof *out);
 	if ((world->awake_joints.count == 0 && world->direct_islands.count == 0) || world->settings.solver == CN_SOLVER_SOFT || cni_joint_lanes_need_no_plan(world))
 		return;
@@ -288,12 +298,10 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 	if (out->component_count == 0)
 		return;
 	s->direct = out;
-	for (k = 0; k < out->component_count; ++k) {
+	for (int32_t k = 0; k < out->component_count; ++k) {
 		cni_component *c = &out->components[k];
 		if (c->done)
 			continue;
-		if (far && k + 1 < out->component_count)
-			cni_component_prefetch(world, out, k + 1);
 		c->regular = c->has_contacts ? CNI_REGULARIZATION_CONTACTS : c->loops ? CNI_REGULARIZATION_LOOPS : 0.0f;
 		bodies_look(world, out, c);
 		c->uses_rattle = CNI_ON(RATTLE) && !c->has_contacts && cni_component_uses_rattle(world, s, out, c);
@@ -316,10 +324,12 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 			passes_begin(world, s, out, k);
 	}
 	cni_tree_batches_make(world, s, out);
+	cni_components_list(out);
+	cni_components_run(world, s, cni_components_team(world, out, 1), COMPONENTS_A_RANGE, pending_begin, 0);
 	cni_direct_contacts_extract(world, out);
 	if (CNI_ON(JOINT_PROJECTION))
 		cni_projection_mark(world, out);
-	cni_heavy_contacts_find(world, s, out);
+	cni_heavy_contacts_find(world, s);
 	world->direct_work = work_planned(world, out);
 }
 
@@ -329,10 +339,9 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
    the step had no work left to find one, the island is asked again in the next. */
 static void contacts_release(cn_world *world, cni_sparse *sparse, cni_component *c)
 {
-	int32_t k, i;
 	cni_direct_contacts_restore(world, sparse, c);
-	for (k = c->begin; k < c->end; ++k)
-		for (i = 0; sparse->nodes[k].owner < 0 && i < CNI_NODE_ROWS; ++i) {
+	for (int32_t k = c->begin; k < c->end; ++k)
+		for (int32_t i = 0; sparse->nodes[k].owner < 0 && i < CNI_NODE_ROWS; ++i) {
 			cni_levers_clear(&sparse->nodes[k].levers, i);
 			sparse->nodes[k].x[i] = 0.0f;
 		}
@@ -348,38 +357,39 @@ void cni_direct_warm_start(cn_world *world, const cni_solve *s)
 	cni_tree_batches_run(world, s, CNI_TREES_WARM);
 }
 
+static void component_pass(cn_world *world, const cni_solve *s, cni_component *c, int32_t bias)
+{
+	if (bias && c->batches)
+		cni_tree_lane_lock(world, s, c, CNI_SNAP_RAD);
+	if (c->done || c->batches)
+		return;
+	if (!bias && c->joints > 0)
+		cni_direct_system(world, s, s->direct, c);
+	if (c->has_contacts && !cni_direct_contacts_solve(world, s, s->direct, c, bias))
+		contacts_release(world, s->direct, c);
+	if (!c->has_contacts) {
+		cni_direct_right_sides(world, s, c, bias);
+		cni_component_solve(world, s, c);
+	}
+	if (bias && c->kind == CNI_NONE)
+		(void)cni_component_lock(world, s, c, CNI_SNAP_RAD);
+}
+
 void cni_direct_solve(cn_world *world, const cni_solve *s, int32_t bias)
 {
-	int32_t k;
 	if (s->direct == NULL)
 		return;
 	cni_tree_batches_run(world, s, bias ? CNI_TREES_SOLVE : CNI_TREES_RELAX);
-	for (k = 0; k < s->direct->component_count; ++k) {
-		cni_component *c = &s->direct->components[k];
-		if (bias && c->batches && c->snaps)
-			cni_tree_lane_lock(world, s, c, CNI_SNAP_RAD);
-		if (c->done || c->batches)
-			continue;
-		if (!bias && c->joints > 0)
-			cni_direct_system(world, s, s->direct, c);
-		if (c->has_contacts && !cni_direct_contacts_solve(world, s, s->direct, c, bias))
-			contacts_release(world, s->direct, c);
-		if (!c->has_contacts) {
-			cni_direct_right_sides(world, s, c, bias);
-			cni_component_solve(world, s, c);
-		}
-		if (bias && c->kind == CNI_NONE)
-			(void)cni_component_lock(world, s, c, CNI_SNAP_RAD);
-	}
+	cni_components_run(world, s, s->team, 1, component_pass, bias);
+	cni_components_give_up(world, s);
 	cni_heavy_contacts_solve(world, s, bias);
 }
 
 void cni_direct_store(cn_world *world, const cni_solve *s)
 {
-	cni_component *c;
 	if (s->direct == NULL)
 		return;
-	for (c = s->direct->components; c < s->direct->components + s->direct->component_count; ++c)
+	for (cni_component *c = s->direct->components; c < s->direct->components + s->direct->component_count; ++c)
 		if (!c->done && c->active == 2 && c->loops && c->regular > CNI_REGULARIZATION_LOOPS) /* its rows contradict each other */
 			soften_for(world, s->direct, c, 0);
 	cni_heavy_contacts_bounce(world, s);

@@ -56,7 +56,7 @@ uint64_t cni_direct_bytes(int32_t solver, int32_t joints, int32_t contacts, int3
 {
 	int32_t taken = contacts_taken(solver, contacts), links = joints + taken;
 	int64_t work = work_of(solver, joints, taken);
-	uint64_t link = sizeof(cni_link) + 2 * sizeof(cni_motion) + sizeof(cni_projection) + 1;
+	uint64_t link = sizeof(cni_link) + 2 * sizeof(cni_motion) + sizeof(cni_projection) + sizeof(int32_t) + 1;
 	if (links == 0 || solver == CN_SOLVER_SOFT || solver == CN_SOLVER_SEQUENTIAL)
 		return 0;
 	return cni_tree_batch_bytes(joints) + link * (uint64_t)links + (sizeof(cni_direct_contact) + sizeof(int32_t)) * (uint64_t)taken +
@@ -208,8 +208,7 @@ static int32_t is_costly(const cn_world *world, const cni_sparse *sparse, const 
 
 static void costly_release(cn_world *world, cni_sparse *sparse, cni_component *c)
 {
-	int32_t k;
-	for (k = c->begin; k < c->end; ++k)
+	for (int32_t k = c->begin; k < c->end; ++k)
 		impulses_forget(world, cni_joint_constraints(world) + sparse->nodes[k].owner);
 	cni_component_release(world, sparse, c);
 }
@@ -262,8 +261,11 @@ static int32_t scratch_take(cn_world *world, cni_sparse *out, int32_t contacts)
 	out->projections = (cni_projection *)cni_arena_push(arena, sizeof(cni_projection) * (uint64_t)out->component_count);
 	out->projection_marks = (cni_marked_lanes *)cni_arena_push(arena, 2 * sizeof(cni_marked_lanes) * (uint64_t)world->touching_count); /* each at two bodies */
 	out->projection_of = (int32_t *)cni_arena_push(arena, sizeof(int32_t) * bodies);
+	out->alone = (int32_t *)cni_arena_push(arena, sizeof(int32_t) * (uint64_t)out->component_count);
+	if (out->turn != NULL)
+		out->turn[0] = cni_rot_small(0.0f); /* of static bodies */
 	out->heavies = (cni_heavy_contact *)cni_arena_push(arena, sizeof(cni_heavy_contact) * (uint64_t)cni_heavy_contacts_room(world->touching_count, world->awake_joints.count));
-	return out->contacts != NULL && out->heavies != NULL && out->saved != NULL && out->pull != NULL && out->turn != NULL && out->projections != NULL && out->projection_marks != NULL && out->projection_of != NULL;
+	return out->contacts != NULL && out->heavies != NULL && out->alone != NULL && out->saved != NULL && out->pull != NULL && out->turn != NULL && out->projections != NULL && out->projection_marks != NULL && out->projection_of != NULL;
 }
 
 int32_t cni_direct_plan(cn_world *world, cni_sparse *out)

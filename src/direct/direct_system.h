@@ -44,14 +44,28 @@ void cni_direct_right_sides(cn_world *world, const cni_solve *s, const cni_compo
 /* Adds the impulses of a joint's node, times sign, to the rows from which its levers were read. */
 static inline void cni_node_impulses_add(const cni_node *n, cni_row *rows, const float *x, float sign)
 {
-	int32_t i;
-	for (i = 0; i < n->rows; ++i)
+	for (int32_t i = 0; i < n->rows; ++i)
 		rows[i].impulse += sign * x[i];
 	if (n->share[0] != 0.0f || n->share[1] != 0.0f)
 		rows[n->rows - 1].impulse += sign * (n->share[0] * x[0] + n->share[1] * x[1]);
 }
-/* Solves for the impulses and applies them; on failure the joints become soft. */
+/* Solves for the impulses and applies them; on failure the joints become soft by cni_component_give_up. */
 void cni_component_solve(cn_world *world, const cni_solve *s, cni_component *c);
+/* What a component failed at in a loop that workers share: solutions of its joints, or through them those of contacts alone. */
+enum { CNI_FAILED_JOINTS = 1, CNI_FAILED_CONTACTS = 2 };
+/* After the loop: the joints of a component that failed are soft. */
+void cni_component_give_up(cn_world *world, cni_sparse *sparse, cni_component *c);
+
+/* ---- loops over components: direct/component_loop.c ---- */
+
+typedef void cni_component_fn(cn_world *world, const cni_solve *s, cni_component *c, int32_t argument);
+/* Lists those that are solved alone in this step. */
+void cni_components_list(cni_sparse *sparse);
+/* Calls fn for each of them. fn writes what belongs to the component alone, and `pending` where something is left to do after the loop. */
+void cni_components_run(cn_world *world, const cni_solve *s, cni_team *team, int32_t min_range, cni_component_fn *fn, int32_t argument);
+/* cni_component_give_up of each of them. */
+void cni_components_give_up(cn_world *world, const cni_solve *s);
+
 static inline void cni_trust_suspend(cn_world *world, cni_joint_trust *t, int32_t span, int32_t soft)
 {
 	t->span = (uint16_t)span;

@@ -97,10 +97,9 @@ static void contact_warm_start(const cone *q, cni_direct_contact *p)
 static void warm_start(cone *q)
 {
 	const cni_direct_contact_pass *pass = q->pass;
-	cni_direct_contact *p;
 	for (int32_t k = pass->c->begin; k < pass->c->end; ++k)
 		memset(pass->sparse->nodes[k].total, 0, sizeof pass->sparse->nodes[k].total);
-	for (p = pass->first; p < pass->end; ++p) {
+	for (cni_direct_contact *p = pass->first; p < pass->end; ++p) {
 		contact_warm_start(q, p);
 		for (int32_t i = 0; i < 4; ++i)
 			q->count += slack_exists(p, i);
@@ -130,16 +129,15 @@ static void contact_center(const cone *q, cni_direct_contact *p, float speed)
 static void center(cone *q)
 {
 	float speed = q->pass->speed_least;
-	cni_direct_contact *p;
-	for (p = q->pass->first; p < q->pass->end; ++p) {
+	for (cni_direct_contact *p = q->pass->first; p < q->pass->end; ++p) {
 		float speeds[3];
 		speeds_of(q, p, speeds);
 		speed = cni_max(speed, cni_max(cni_max(-speeds[0], -speeds[1]), cni_abs(speeds[2])));
 	}
 	q->tau = speed * speed;
-	for (p = q->pass->first; p < q->pass->end; ++p)
+	for (cni_direct_contact *p = q->pass->first; p < q->pass->end; ++p)
 		contact_center(q, p, speed);
-	for (p = q->pass->first; p < q->pass->end; ++p)
+	for (cni_direct_contact *p = q->pass->first; p < q->pass->end; ++p)
 		rows_push(q, p, p->start);
 }
 
@@ -218,9 +216,8 @@ static float distance_to(float from, float change)
 /* Step length. */
 static float step_length(const cone *q)
 {
-	const cni_direct_contact *p;
 	float most = FLT_MAX;
-	for (p = q->pass->first; p < q->pass->end; ++p) {
+	for (const cni_direct_contact *p = q->pass->first; p < q->pass->end; ++p) {
 		cni_node *n = &q->pass->sparse->nodes[p->node];
 		float slack[4], dual[4];
 		n->x[2] += p->slope * (n->x[0] + n->x[1]);
@@ -267,9 +264,8 @@ static float step_apply(const cone *q, float length)
    multiplier that the predictor would reach. */
 static float predictor_store(cone *q, float length)
 {
-	cni_direct_contact *p;
 	float sum = 0.0f;
-	for (p = q->pass->first; p < q->pass->end; ++p) {
+	for (cni_direct_contact *p = q->pass->first; p < q->pass->end; ++p) {
 		float slack[4], dual[4];
 		changes_of(q, p, &q->pass->sparse->nodes[p->node], slack, dual);
 		for (int32_t i = 0; i < 4; ++i) {
@@ -283,9 +279,8 @@ static float predictor_store(cone *q, float length)
 static void newton_set(cone *q)
 {
 	const cni_direct_contact_pass *pass = q->pass;
-	cni_direct_contact *p;
 	q->residual = q->violation = 0.0f;
-	for (p = pass->first; p < pass->end; ++p)
+	for (cni_direct_contact *p = pass->first; p < pass->end; ++p)
 		contact_newton(q, p);
 	for (int32_t k = pass->c->begin; k < pass->c->end && pass->c->joints > 0; ++k)
 		if (pass->sparse->nodes[k].owner >= 0)
@@ -349,9 +344,8 @@ static int32_t iterate(cone *q)
 /* Updates lift speeds and dynamic friction from the slips, for the next round. Returns the largest change of lift. */
 static float slips_find(const cone *q)
 {
-	cni_direct_contact *p;
 	float most = 0.0f;
-	for (p = q->pass->first; p < q->pass->end; ++p) {
+	for (cni_direct_contact *p = q->pass->first; p < q->pass->end; ++p) {
 		if (p->coefficient == 0.0f)
 			continue;
 		float slip = cni_abs(p->dual[2] - p->dual[3]);
@@ -381,7 +375,6 @@ static int32_t factors_most(const cni_direct_contact_pass *pass)
 int32_t cni_direct_contacts_cone(const cni_direct_contact_pass *pass, int32_t *out_factors)
 {
 	cone q = { pass, 0, 0, factors_most(pass), 0.0f, 0.0f, 0.0f };
-	cni_direct_contact *p;
 	int32_t good = 1;
 	float change = FLT_MAX;
 	pass->c->regular = CNI_REGULARIZATION_CONTACTS;
@@ -391,7 +384,7 @@ int32_t cni_direct_contacts_cone(const cni_direct_contact_pass *pass, int32_t *o
 		good = iterate(&q);
 		change = slips_find(&q);
 	}
-	for (p = pass->first; p < pass->end; ++p)
+	for (cni_direct_contact *p = pass->first; p < pass->end; ++p)
 		contact_finish(&q, p);
 	pass->c->factored = 0;
 	*out_factors = q.factors;

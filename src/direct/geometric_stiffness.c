@@ -16,15 +16,17 @@
 
 static void pulls_clear(cni_sparse *sparse, const cni_component *c)
 {
-	for (int32_t k = c->begin; k < c->end; ++k)
-		sparse->pull[sparse->nodes[k].ia] = sparse->pull[sparse->nodes[k].ib] = 0.0f;
+	for (int32_t k = c->body_begin; k < c->body_end; ++k)
+		sparse->pull[sparse->bodies[k]] = 0.0f;
 }
 
-/* Adds the forces of a joint on its bodies at the ends of these arms. */
-static void pull_add(cni_sparse *sparse, const cni_joint_constraint *w, cni_vec2 ra, cni_vec2 rb, cni_vec2 fa, cni_vec2 fb)
+/* Adds numbers of a joint to those of its bodies that move. */
+CNI_INLINE void pull_add(const cn_world *world, cni_sparse *sparse, const cni_joint_constraint *w, float of_a, float of_b)
 {
-	sparse->pull[w->ia] += cni_dot(ra, fa);
-	sparse->pull[w->ib] += cni_dot(rb, fb);
+	if (cni_motion_can_move(cni_motions(world) + w->ia))
+		sparse->pull[w->ia] += of_a;
+	if (cni_motion_can_move(cni_motions(world) + w->ib))
+		sparse->pull[w->ib] += of_b;
 }
 
 void cni_geometric_stiffness_find_pins(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h)
@@ -34,7 +36,7 @@ void cni_geometric_stiffness_find_pins(const cn_world *world, cni_sparse *sparse
 	for (int32_t k = c->begin; k < c->end; ++k) {
 		const cni_joint_constraint *w = &cni_joint_constraints(world)[sparse->nodes[k].owner];
 		cni_vec2 f = cni_mul(inv_h, cni_v(w->record->impulse[0], w->record->impulse[1]));
-		pull_add(sparse, w, w->start.ra, w->start.rb, cni_neg(f), f);
+		pull_add(world, sparse, w, cni_dot(w->start.ra, cni_neg(f)), cni_dot(w->start.rb, f));
 	}
 }
 
@@ -53,7 +55,7 @@ void cni_geometric_stiffness_find(const cn_world *world, cni_sparse *sparse, con
 			fa = cni_madd(fa, r->impulse * inv_h, cni_v(r->lever.ax, r->lever.ay));
 			fb = cni_madd(fb, r->impulse * inv_h, cni_v(r->lever.bx, r->lever.by));
 		}
-		pull_add(sparse, w, cni_rotate(sparse->turn[w->ia], w->start.ra), cni_rotate(sparse->turn[w->ib], w->start.rb), fa, fb);
+		pull_add(world, sparse, w, cni_dot(cni_rotate(sparse->turn[w->ia], w->start.ra), fa), cni_dot(cni_rotate(sparse->turn[w->ib], w->start.rb), fb));
 	}
 }
 
@@ -68,8 +70,7 @@ float cni_geometric_stiffness_rods(const cn_world *world, cni_sparse *sparse, co
 		if (w->record->type != CN_JOINT_DISTANCE || length <= 0.0f)
 			continue;
 		stiffness = cni_abs(w->rows[0].impulse) * inv_h / length;
-		sparse->pull[w->ia] += stiffness;
-		sparse->pull[w->ib] += stiffness;
+		pull_add(world, sparse, w, stiffness, stiffness);
 	}
 	for (int32_t k = c->body_begin; k < c->body_end; ++k)
 		most = cni_max(most, sparse->pull[sparse->bodies[k]] * cni_motions(world)[sparse->bodies[k]].inv_mass);

@@ -42,42 +42,95 @@ static int32_t response_numbers(int32_t contacts)
 	return CNI_HEAVY_ROWS * contacts * CNI_HEAVY_LANES * contacts;
 }
 
-/* Takes memory for the groups of the listed contacts, and for one of them at work. Without it there are none. */
+/* Bytes that a group of contacts needs at work. */
+static uint64_t work_bytes(const cni_sparse *sparse, int32_t begin, int32_t end)
+{
+	const cni_component *c = &sparse->components[sparse->heavies[begin].component];
+	return CNI_HEAVY_POINT_BYTES * (uint64_t)(end - begin) + sizeof(float) * (uint64_t)cni_heavy_half_floats(end - begin, c->end - c->begin);
+}
+
+/* Chains the groups of each island: two of them may have a free body in common. islands 0: all groups. last: by island, and one more. */
+static void groups_chain(const cn_world *world, cni_sparse *sparse, int32_t islands, int32_t *last)
+{
+	for (int32_t k = 0; k <= islands; ++k)
+		last[k] = CNI_NONE;
+	for (int32_t k = 0; k < sparse->heavy_group_count; ++k) {
+		const cni_component *c = &sparse->components[sparse->heavy_groups[k].component];
+		int32_t number = islands > 0 ? cni_awake_island_number(world, sparse->bodies[c->body_begin]) : 0, *of = &last[number == CNI_NONE ? islands : number];
+		*(*of == CNI_NONE ? &sparse->heavy_chains[sparse->heavy_chain_count++] : &sparse->heavy_groups[*of].next) = k;
+		*of = k;
+	}
+}
+
+/* Takes memory for the groups of the listed contacts. Without it there are none. With one worker all have the same memory at work. */
 static void groups_take(cn_world *world, cni_sparse *sparse)
 {
-	int32_t begin, end, numbers = 0, groups = 0, most = 0, halves = 0;
-	float *response;
-	for (begin = 0; begin < sparse->heavy_count; begin = end, ++groups) {
-		const cni_component *c = &sparse->components[sparse->heavies[begin].component];
+	int32_t shared = world->team != NULL && !world->memory.fixed, islands = shared ? world->step_island_count : 0, numbers = 0, groups = 0;
+	uint64_t bytes = 0;
+	for (int32_t begin = 0, end; begin < sparse->heavy_count; begin = end, ++groups) {
 		end = end_of(sparse, begin);
 		numbers += response_numbers(end - begin);
-		most = cni_max_i(most, end - begin);
-		halves = cni_max_i(halves, cni_heavy_half_floats(end - begin, c->end - c->begin));
+		uint64_t own = work_bytes(sparse, begin, end);
+		bytes = shared ? bytes + own : own > bytes ? own : bytes;
 	}
 	if (groups == 0)
 		return;
-	sparse->heavy_points = (cni_direct_contact *)cni_scratch_push(world, CNI_HEAVY_POINT_BYTES * (uint64_t)most);
-	sparse->heavy_halves = (float *)cni_scratch_push(world, sizeof(float) * (uint64_t)halves);
+	uint8_t *work = (uint8_t *)cni_scratch_push(world, bytes);
 	sparse->heavy_groups = (cni_heavy_group *)cni_scratch_push(world, sizeof(cni_heavy_group) * (uint64_t)groups + sizeof(float) * (uint64_t)numbers);
-	if (sparse->heavy_points == NULL || sparse->heavy_halves == NULL || sparse->heavy_groups == NULL)
+	sparse->heavy_chains = (int32_t *)cni_scratch_push(world, sizeof(int32_t) * (uint64_t)(groups + islands + 1));
+	if (work == NULL || sparse->heavy_groups == NULL || sparse->heavy_chains == NULL)
 		return;
-	response = (float *)(void *)(sparse->heavy_groups + groups);
-	for (begin = 0; begin < sparse->heavy_count; begin = end) {
-		cni_heavy_group *g = &sparse->heavy_groups[sparse->heavy_group_count++];
+	float *response = (float *)(void *)(sparse->heavy_groups + groups);
+	for (int32_t begin = 0, end; begin < sparse->heavy_count; begin = end) {
 		end = end_of(sparse, begin);
-		g->component = sparse->heavies[begin].component;
-		g->begin = begin;
-		g->end = end;
-		g->response = response;
+		cni_heavy_group g = { sparse->heavies[begin].component, begin, end, CNI_NONE, 0.0f, 0, response, (cni_direct_contact *)(void *)work,
+			(float *)(void *)(work + CNI_HEAVY_POINT_BYTES * (size_t)(end - begin)) };
+		sparse->heavy_groups[sparse->heavy_group_count++] = g;
 		response += response_numbers(end - begin);
+		work += shared ? (size_t)work_bytes(sparse, begin, end) : 0;
 	}
+	groups_chain(world, sparse, islands, sparse->heavy_chains + groups);
+}
+
+/* ---- loops over groups, which workers share island by island ---- */
+
+typedef void group_fn(cn_world *world, const cni_solve *s, cni_heavy_group *g, int32_t argument);
+
+typedef struct chain_loop {
+	cn_world *world;
+	const cni_solve *s;
+	group_fn *fn;
+	int32_t argument;
+	int32_t serial; /* 1: chains at kinematic bodies, whose rotations their components share; 0: all others */
+} chain_loop;
+
+static void chains_range(void *context, int32_t begin, int32_t end)
+{
+	const chain_loop *l = (const chain_loop *)context;
+	const cni_sparse *sparse = l->s->direct;
+	for (int32_t k = begin; k < end; ++k) {
+		int32_t g, serial = 0;
+		for (g = sparse->heavy_chains[k]; g != CNI_NONE; g = sparse->heavy_groups[g].next)
+			serial |= sparse->components[sparse->heavy_groups[g].component].meets_kinematic;
+		for (g = sparse->heavy_chains[k]; serial == l->serial && g != CNI_NONE; g = sparse->heavy_groups[g].next)
+			l->fn(l->world, l->s, &sparse->heavy_groups[g], l->argument);
+	}
+}
+
+static void groups_run(cn_world *world, const cni_solve *s, cni_team *team, group_fn *fn, int32_t argument)
+{
+	chain_loop l = { world, s, fn, argument, 0 };
+	cni_team_for(team, s->direct->heavy_chain_count, 1, chains_range, &l);
+	l.serial = 1;
+	chains_range(&l, 0, s->direct->heavy_chain_count);
+	for (int32_t k = 0; k < s->direct->heavy_group_count; ++k)
+		cni_component_give_up(world, s->direct, &s->direct->components[s->direct->heavy_groups[k].component]);
 }
 
 /* Do the joints bear an impact with it? */
 static int32_t is_borne(const cni_heavy_pass *q, int32_t contact)
 {
-	int32_t k;
-	for (k = 0; k < 2; ++k)
+	for (int32_t k = 0; k < 2; ++k)
 		if (q->points[contact].mass[k] > 0.0f && q->points[contact].mass[k] * cni_heavy_inverse_mass(q, contact, k) < CNI_HEAVY_BOUNCE_PART)
 			return 1;
 	return 0;
@@ -86,10 +139,9 @@ static int32_t is_borne(const cni_heavy_pass *q, int32_t contact)
 static void masses_find(const cni_heavy_pass *q)
 {
 	float mass = 0.0f;
-	int32_t k;
-	for (k = q->c->body_begin; k < q->c->body_end; ++k)
+	for (int32_t k = q->c->body_begin; k < q->c->body_end; ++k)
 		mass += cni_inverse_or_zero(cni_motions(q->world)[q->sparse->bodies[k]].inv_mass);
-	for (k = 0; k < q->count; ++k)
+	for (int32_t k = 0; k < q->count; ++k)
 		q->heavies[k].mass = mass + cni_inverse_or_zero(cni_heavy_body(q, k, 0)->inv_mass) + cni_inverse_or_zero(cni_heavy_body(q, k, 1)->inv_mass);
 }
 
@@ -99,29 +151,31 @@ static void load_read(const cni_heavy_pass *q, int32_t contact)
 {
 	cni_heavy_contact *h = &q->heavies[contact];
 	float most = CNI_HEAVY_CONTACT_STRESS * cni_length(q->world->settings.gravity) * q->s->h * h->mass;
-	int32_t k;
-	for (k = 0; k < 2; ++k)
+	for (int32_t k = 0; k < 2; ++k)
 		h->load[k] = cni_heavy_is_inner(q, contact) ? 0.0f : cni_min(q->points[contact].j[k], most);
 }
 
-void cni_heavy_contacts_find(cn_world *world, const cni_solve *s, cni_sparse *sparse)
+static void group_find(cn_world *world, const cni_solve *s, cni_heavy_group *g, int32_t argument)
 {
 	cni_heavy_pass q;
-	int32_t k, i;
-	groups_take(world, sparse);
-	for (k = 0; k < sparse->heavy_group_count; ++k) {
-		cni_heavy_pass_open(&q, world, s, sparse, &sparse->heavy_groups[k]);
-		if (q.c->batches)
-			cni_tree_lane_system(s, q.c);
-		cni_heavy_response_find(&q);
-		masses_find(&q);
-		for (i = 0; i < q.count; ++i) {
-			load_read(&q, i);
-			q.heavies[i].is_left = (uint8_t)(q.heavies[i].is_light && !is_borne(&q, i));
-			if (!q.heavies[i].is_left)
-				*cni_heavy_restitution(world, q.heavies[i].contact) = 0.0f;
-		}
+	(void)argument;
+	cni_heavy_pass_open(&q, world, s, s->direct, g);
+	if (q.c->batches)
+		cni_tree_lane_system(s, q.c);
+	cni_heavy_response_find(&q);
+	masses_find(&q);
+	for (int32_t i = 0; i < q.count; ++i) {
+		load_read(&q, i);
+		q.heavies[i].is_left = (uint8_t)(q.heavies[i].is_light && !is_borne(&q, i));
+		if (!q.heavies[i].is_left)
+			*cni_heavy_restitution(world, q.heavies[i].contact) = 0.0f;
 	}
+}
+
+void cni_heavy_contacts_find(cn_world *world, const cni_solve *s)
+{
+	groups_take(world, s->direct);
+	groups_run(world, s, cni_components_team(world, s->direct, 2), group_find, 0);
 }
 
 /* ---- a pass ---- */
@@ -177,11 +231,10 @@ static int32_t contact_rows_solve(cni_heavy_pass *q, int32_t contact)
 	int32_t row, k, lanes = CNI_HEAVY_LANES * q->count, changed = 0;
 	for (row = 0; row < CNI_HEAVY_ROWS; ++row) {
 		const float *column = cni_heavy_column(q, contact, row);
-		float target, change;
 		if (p->mass[row] <= 0.0f)
 			continue;
-		target = row_target(q, contact, row);
-		change = target - p->j[row];
+		float target = row_target(q, contact, row);
+		float change = target - p->j[row];
 		p->j[row] = target;
 		if (change == 0.0f)
 			continue;
@@ -196,8 +249,7 @@ static int32_t contact_rows_solve(cni_heavy_pass *q, int32_t contact)
 static int32_t changes_speed(const cni_heavy_pass *q, int32_t contact)
 {
 	const cni_direct_contact *p = &q->points[contact];
-	int32_t k;
-	for (k = 0; k < CNI_HEAVY_ROWS; ++k)
+	for (int32_t k = 0; k < CNI_HEAVY_ROWS; ++k)
 		if (p->mass[k] > 0.0f && !(cni_abs(p->j[k] - p->first[k]) <= q->speed_least * q->mass[cni_heavy_at(contact, k)]))
 			return 1;
 	return 0;
@@ -206,10 +258,9 @@ static int32_t changes_speed(const cni_heavy_pass *q, int32_t contact)
 /* Speeds, masses and separations before the impulses of a pass. */
 static void rows_begin(const cni_heavy_pass *q)
 {
-	int32_t i, k;
 	cni_heavy_speeds(q, q->speed);
-	for (i = 0; i < q->count; ++i) {
-		for (k = 0; k < CNI_HEAVY_ROWS; ++k) {
+	for (int32_t i = 0; i < q->count; ++i) {
+		for (int32_t k = 0; k < CNI_HEAVY_ROWS; ++k) {
 			q->mass[cni_heavy_at(i, k)] = cni_inverse_or_zero(cni_heavy_inverse_mass(q, i, k));
 			q->separation[cni_heavy_at(i, k)] = k < 2 ? cni_direct_contact_separation(&q->points[i], k, cni_heavy_body(q, i, 0), cni_heavy_body(q, i, 1)) : 0.0f;
 		}
@@ -237,16 +288,14 @@ static int32_t impulses_find(cni_heavy_pass *q)
 
 static void impulses_push(const cni_heavy_pass *q, float sign)
 {
-	int32_t i, k;
-	for (i = 0; i < q->count; ++i)
-		for (k = 0; k < CNI_HEAVY_ROWS; ++k)
+	for (int32_t i = 0; i < q->count; ++i)
+		for (int32_t k = 0; k < CNI_HEAVY_ROWS; ++k)
 			cni_heavy_push(q, i, k, sign * (q->points[i].j[k] - q->points[i].first[k]));
 }
 
 /* Applies them through the joints. Where these have no solution their impulses are taken back: some cancel each other by the joints alone. */
 static void impulses_apply(cni_heavy_pass *q)
 {
-	int32_t i;
 	cni_heavy_set_aside(q);
 	impulses_push(q, 1.0f);
 	cni_heavy_sides_set(q);
@@ -256,9 +305,9 @@ static void impulses_apply(cni_heavy_pass *q)
 			cni_tree_lane_add(q->s, q->c);
 		return;
 	}
-	cni_component_suspend(q->world, q->sparse, q->c, 0);
+	q->c->pending = CNI_FAILED_CONTACTS;
 	impulses_push(q, -1.0f);
-	for (i = 0; i < q->count; ++i)
+	for (int32_t i = 0; i < q->count; ++i)
 		memcpy(q->points[i].j, q->points[i].first, sizeof q->points[i].j);
 }
 
@@ -266,17 +315,15 @@ static void lane_write(const cni_heavy_pass *q, int32_t contact)
 {
 	const cni_direct_contact *p = &q->points[contact];
 	cni_contact_block *block = cni_block_at(q->world, p->block);
-	int32_t k;
 	q->heavies[contact].is_hit |= (uint8_t)(p->j[0] + p->j[1] > 0.0f);
 	block->jt[p->lane] = p->j[2];
-	for (k = 0; k < 2; ++k)
+	for (int32_t k = 0; k < 2; ++k)
 		block->p[k].jn[p->lane] = block->p[k].load[p->lane] = p->j[k];
 }
 
 static void group_solve(cn_world *world, const cni_solve *s, cni_heavy_group *g, int32_t bias)
 {
 	cni_heavy_pass q;
-	int32_t k;
 	if (s->direct->components[g->component].done)
 		return;
 	cni_heavy_pass_open(&q, world, s, s->direct, g);
@@ -287,25 +334,24 @@ static void group_solve(cn_world *world, const cni_solve *s, cni_heavy_group *g,
 		cni_heavy_response_find(&q);
 	if (impulses_find(&q))
 		impulses_apply(&q);
-	for (k = 0; k < q.count; ++k)
+	for (int32_t k = 0; k < q.count; ++k)
 		if (takes_part(&q, k))
 			lane_write(&q, k);
 }
 
 void cni_heavy_contacts_solve(cn_world *world, const cni_solve *s, int32_t bias)
 {
-	int32_t k;
-	for (k = 0; k < s->direct->heavy_group_count; ++k)
-		group_solve(world, s, &s->direct->heavy_groups[k], bias);
+	groups_run(world, s, s->team, group_solve, bias);
 }
 
 /* ---- bounces ---- */
 
 /* The impulses are no loads: they do not stay in the lanes. */
-static void group_bounce(cn_world *world, const cni_solve *s, cni_heavy_group *g)
+static void group_bounce(cn_world *world, const cni_solve *s, cni_heavy_group *g, int32_t argument)
 {
 	cni_heavy_pass q;
 	int32_t k, bouncing = 0;
+	(void)argument;
 	for (k = g->begin; k < g->end; ++k)
 		bouncing |= s->direct->heavies[k].is_hit && cni_heavy_bounces(&s->direct->heavies[k]);
 	if (!bouncing || s->direct->components[g->component].done)
@@ -325,10 +371,8 @@ static void group_bounce(cn_world *world, const cni_solve *s, cni_heavy_group *g
 
 void cni_heavy_contacts_bounce(cn_world *world, const cni_solve *s)
 {
-	int32_t k;
-	for (k = 0; k < s->direct->heavy_group_count; ++k)
-		group_bounce(world, s, &s->direct->heavy_groups[k]);
-	for (k = 0; k < s->direct->heavy_count; ++k)
+	groups_run(world, s, NULL, group_bounce, 0); /* they share sums of impulses */
+	for (int32_t k = 0; k < s->direct->heavy_count; ++k)
 		if (!s->direct->heavies[k].is_left)
 			*cni_heavy_restitution(world, s->direct->heavies[k].contact) = s->direct->heavies[k].restitution;
 }

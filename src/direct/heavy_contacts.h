@@ -29,9 +29,12 @@ typedef struct cni_heavy_contact {
 /* Those of one component: heavies[begin] to heavies[end - 1]. */
 typedef struct cni_heavy_group {
 	int32_t component, begin, end;
+	int32_t next;       /* of the same island, or CNI_NONE */
 	float turn_most;    /* rad: farthest turn of the component's bodies in this step until the response is found again */
 	int32_t set_changes; /* of the component when the response was found */
 	float *response;    /* for each row: speeds of all rows after an impulse of 1 in it */
+	cni_direct_contact *points; /* memory at work: CNI_HEAVY_POINT_BYTES of each contact */
+	float *halves;              /* ... and while the response is found: cni_heavy_half_floats */
 } cni_heavy_group;
 
 #define CNI_HEAVY_POINT_BYTES (sizeof(cni_direct_contact) + CNI_HEAVY_LANES * (sizeof(cni_lever) + 3 * sizeof(float))) /* of a contact at work */
@@ -46,14 +49,15 @@ static inline int32_t cni_heavy_half_floats(int32_t contacts, int32_t nodes)
 {
 	return (CNI_HEAVY_ROWS * contacts + 2) * CNI_NODE_LANES * nodes;
 }
-/* Bound on their scratch memory with this number of joints: each may be a group, and one group may have CNI_HEAVY_COMPONENT_MOST. */
+/* Bound on their scratch memory with this number of joints: each may be a group, and one group may have CNI_HEAVY_COMPONENT_MOST. Where workers
+   solve groups side by side each has memory at work of its own, but not in a world in a caller's block. */
 static inline uint64_t cni_heavy_bytes(int32_t touching, int32_t joints)
 {
 	int32_t room = cni_heavy_contacts_room(touching, joints), most = cni_min_i(CNI_HEAVY_COMPONENT_MOST, room);
 	int32_t rows = CNI_HEAVY_ROWS * most * cni_min_i(joints, CNI_HEAVY_CONTACT_BLOCKS / cni_max_i(most, 1) + 1); /* of all halves: nodes are no more than blocks */
 	uint64_t halves = sizeof(float) * CNI_NODE_LANES * (uint64_t)(most > 0 ? rows + 2 * joints : 0);
 	uint64_t response = CNI_HEAVY_ROWS * CNI_HEAVY_LANES * sizeof(float) * (uint64_t)most;
-	return halves + CNI_HEAVY_POINT_BYTES * (uint64_t)most + (sizeof(cni_heavy_contact) + sizeof(cni_heavy_group) + response) * (uint64_t)room + 48;
+	return halves + CNI_HEAVY_POINT_BYTES * (uint64_t)most + (sizeof(cni_heavy_contact) + sizeof(cni_heavy_group) + sizeof(int32_t) + response) * (uint64_t)room + 48;
 }
 
 static inline int32_t cni_heavy_bounces(const cni_heavy_contact *h) { return h->bounce[0] + h->bounce[1] > 0.0f; }
@@ -70,7 +74,7 @@ int32_t cni_heavy_contacts_most(const cni_sparse *sparse, const cni_component *c
 /* Lists those of a component. 0: it has none. */
 int32_t cni_heavy_contacts_list(const cn_world *world, const cni_solve *s, cni_sparse *sparse, int32_t component);
 /* Finds the response of the joints; after cni_projection_mark. */
-void cni_heavy_contacts_find(cn_world *world, const cni_solve *s, cni_sparse *sparse);
+void cni_heavy_contacts_find(cn_world *world, const cni_solve *s);
 /* One pass over them, after the joints. */
 void cni_heavy_contacts_solve(cn_world *world, const cni_solve *s, int32_t bias);
 /* After the substeps: those that were hit bounce. */

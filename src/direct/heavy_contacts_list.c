@@ -89,8 +89,7 @@ static int32_t is_squeezed(const cn_world *world, const cni_solve *s, int32_t co
 /* 1: the component could be in a batch with others of its class that have no contacts that are solved here. */
 static int32_t is_batchable(const cni_sparse *sparse, const cni_component *c)
 {
-	int32_t k;
-	for (k = 0; k < sparse->component_count && c->kind != CNI_NONE; ++k)
+	for (int32_t k = 0; k < sparse->component_count && c->kind != CNI_NONE; ++k)
 		if (sparse->components[k].kind == c->kind && !sparse->components[k].snaps && &sparse->components[k] != c)
 			return 1;
 	return 0;
@@ -112,7 +111,6 @@ static void body_contacts_list(const cn_world *world, const cni_solve *s, cni_sp
 		const cni_body *other = cni_body_at(world, c->body[1 - (key & 1)]);
 		float inv_mass = cni_motions(world)[other->awake].inv_mass;
 		int32_t light = ratio * inv_mass >= cni_motions(world)[index].inv_mass;
-		cni_heavy_contact h;
 		if (!cni_contact_has_lane(c))
 			continue;
 		--left;
@@ -124,7 +122,7 @@ static void body_contacts_list(const cn_world *world, const cni_solve *s, cni_sp
 		/* A jointed body that is not heavier is in a component that could list the contact itself. */
 		if (light ? (cni_externals(world)[other->awake].flags & CNI_EXTERNAL_JOINTED) != 0 : !is_pressed(world, s, key >> 1, inv_mass == 0.0f, slow))
 			continue;
-		h = heavy_make(world, s, component, key >> 1);
+		cni_heavy_contact h = heavy_make(world, s, component, key >> 1);
 		h.is_light = (uint8_t)light;
 		if (!light || cni_heavy_bounces(&h))
 			sparse->heavies[sparse->heavy_count++] = h;
@@ -145,8 +143,7 @@ int32_t cni_heavy_contacts_most(const cni_sparse *sparse, const cni_component *c
    bricks that it should break. */
 static int32_t may_break(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
-	int32_t k;
-	for (k = c->begin; k < c->end; ++k)
+	for (int32_t k = c->begin; k < c->end; ++k)
 		if (cni_joint_constraints(world)[sparse->nodes[k].owner].flags & CNI_CONSTRAINT_BREAKABLE)
 			return 1;
 	return 0;

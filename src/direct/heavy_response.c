@@ -18,7 +18,6 @@
 
 void cni_heavy_pass_open(cni_heavy_pass *q, cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_heavy_group *g)
 {
-	int32_t i, k;
 	q->world = world;
 	q->s = s;
 	q->sparse = sparse;
@@ -29,14 +28,14 @@ void cni_heavy_pass_open(cni_heavy_pass *q, cn_world *world, const cni_solve *s,
 	q->speed_least = CNI_DIRECT_SPEED_LEAST * world->settings.length_unit;
 	q->speed_most = CNI_HEAVY_SPEED_MOST * world->settings.push_speed_max;
 	q->leaving = CNI_HEAVY_SLOW_STRESS * cni_length(world->settings.gravity) * s->h;
-	q->points = sparse->heavy_points;
+	q->points = g->points;
 	q->levers = (cni_lever *)(void *)(q->points + q->count);
 	q->speed = (float *)(void *)(q->levers + CNI_HEAVY_LANES * q->count);
 	q->mass = q->speed + CNI_HEAVY_LANES * q->count;
 	q->separation = q->mass + CNI_HEAVY_LANES * q->count;
-	for (i = 0; i < q->count; ++i) {
+	for (int32_t i = 0; i < q->count; ++i) {
 		cni_direct_contact_read(world, cni_contact_at(world, q->heavies[i].contact), &q->points[i]);
-		for (k = 0; k < CNI_HEAVY_ROWS; ++k)
+		for (int32_t k = 0; k < CNI_HEAVY_ROWS; ++k)
 			q->levers[cni_heavy_at(i, k)] = cni_direct_contact_lever(&q->points[i], k);
 	}
 }
@@ -55,16 +54,17 @@ static void velocity_add(cni_motion *m, const float *velocity)
 	m->w += velocity[2];
 }
 
-/* A body that several contacts have leaves its velocity with the first. */
+/* A body that several contacts have leaves its velocity with the first; one that cannot move keeps it (change_of). */
 void cni_heavy_set_aside(const cni_heavy_pass *q)
 {
-	int32_t k;
 	cni_direct_motions_save(q->world, q->sparse, q->c, 0);
-	for (k = q->c->body_begin; k < q->c->body_end; ++k)
+	for (int32_t k = q->c->body_begin; k < q->c->body_end; ++k)
 		velocity_clear(cni_motions(q->world) + q->sparse->bodies[k]);
-	for (k = 0; k < 2 * q->count; ++k) {
+	for (int32_t k = 0; k < 2 * q->count; ++k) {
 		cni_motion *m = cni_heavy_body(q, k >> 1, k & 1);
 		float *aside = q->heavies[k >> 1].aside[k & 1];
+		if (!cni_motion_can_move(m))
+			continue;
 		aside[0] = m->vx;
 		aside[1] = m->vy;
 		aside[2] = m->w;
@@ -74,14 +74,14 @@ void cni_heavy_set_aside(const cni_heavy_pass *q)
 
 void cni_heavy_return(const cni_heavy_pass *q)
 {
-	int32_t k;
-	for (k = q->c->body_begin; k < q->c->body_end; ++k)
+	for (int32_t k = q->c->body_begin; k < q->c->body_end; ++k)
 		velocity_add(cni_motions(q->world) + q->sparse->bodies[k], &q->sparse->saved[k].vx);
-	for (k = 0; k < 2 * q->count; ++k)
-		velocity_add(cni_heavy_body(q, k >> 1, k & 1), q->heavies[k >> 1].aside[k & 1]);
+	for (int32_t k = 0; k < 2 * q->count; ++k)
+		if (cni_motion_can_move(cni_heavy_body(q, k >> 1, k & 1)))
+			velocity_add(cni_heavy_body(q, k >> 1, k & 1), q->heavies[k >> 1].aside[k & 1]);
 }
 
-/* The change of a body's velocity; a kinematic body of a joint keeps its velocity in motions, and has none. */
+/* The change of a body's velocity; a kinematic one keeps its velocity in motions, and has none. */
 static const cni_motion *change_of(const cni_heavy_pass *q, int32_t index)
 {
 	const cni_motion *m = cni_motions(q->world) + index;
@@ -90,8 +90,7 @@ static const cni_motion *change_of(const cni_heavy_pass *q, int32_t index)
 
 void cni_heavy_sides_set(const cni_heavy_pass *q)
 {
-	int32_t k;
-	for (k = q->c->begin; k < q->c->end; ++k) {
+	for (int32_t k = q->c->begin; k < q->c->end; ++k) {
 		cni_node *n = &q->sparse->nodes[k];
 		cni_four_store(n->x, cni_four_scale(cni_levers_speed(&n->levers, change_of(q, n->ia), change_of(q, n->ib)), -1.0f));
 	}
@@ -99,9 +98,8 @@ void cni_heavy_sides_set(const cni_heavy_pass *q)
 
 void cni_heavy_speeds(const cni_heavy_pass *q, float *out)
 {
-	int32_t i, k;
-	for (i = 0; i < q->count; ++i)
-		for (k = 0; k < CNI_HEAVY_LANES; ++k)
+	for (int32_t i = 0; i < q->count; ++i)
+		for (int32_t k = 0; k < CNI_HEAVY_LANES; ++k)
 			out[cni_heavy_at(i, k)] = k < CNI_HEAVY_ROWS ? cni_lever_speed(&q->levers[cni_heavy_at(i, k)], cni_heavy_body(q, i, 0), cni_heavy_body(q, i, 1)) : 0.0f;
 }
 
@@ -126,8 +124,7 @@ static float levers_turn(const cni_motion *m, cni_vec2 arm, int32_t pins, float 
 float cni_heavy_turn(const cni_heavy_pass *q)
 {
 	float most = 0.0f;
-	int32_t k;
-	for (k = q->c->begin; k < q->c->end; ++k) {
+	for (int32_t k = q->c->begin; k < q->c->end; ++k) {
 		const cni_joint_constraint *w = cni_joint_constraints(q->world) + q->sparse->nodes[k].owner;
 		int32_t type = w->record->type, pins = type == CN_JOINT_REVOLUTE || type == CN_JOINT_FIXED;
 		most = levers_turn(cni_motions(q->world) + w->ia, w->start.ra, pins, most);
@@ -165,8 +162,7 @@ static const cni_motion *unit_change_of(const unit_impulse *u, int32_t index)
 static void unit_sides_set(const cni_heavy_pass *q, const unit_impulse *u)
 {
 	const cni_motion *still = cni_motions(q->world); /* index 0 never moves */
-	int32_t k;
-	for (k = q->c->begin; k < q->c->end; ++k) {
+	for (int32_t k = q->c->begin; k < q->c->end; ++k) {
 		cni_node *n = &q->sparse->nodes[k];
 		const cni_motion *a = unit_change_of(u, n->ia), *b = unit_change_of(u, n->ib);
 		cni_four_store(n->x, a != NULL || b != NULL ? cni_levers_speed(&n->levers, a != NULL ? a : still, b != NULL ? b : still) : cni_four_all(0.0f));
@@ -186,11 +182,9 @@ static float free_speed(const cni_heavy_pass *q, const unit_impulse *u, int32_t 
 static float joints_take(const float *y, const float *z, const int32_t *at, int32_t count)
 {
 	cni_four sum = cni_four_all(0.0f);
-	float taken;
-	int32_t k;
-	for (k = 0; k < count; ++k)
+	for (int32_t k = 0; k < count; ++k)
 		sum = cni_four_add(sum, cni_four_times(cni_four_load(y + at[k]), cni_four_load(z + at[k])));
-	taken = cni_four_sum(sum);
+	float taken = cni_four_sum(sum);
 	return cni_is_finite(taken) ? taken : 0.0f;
 }
 
@@ -198,7 +192,7 @@ static float joints_take(const float *y, const float *z, const int32_t *at, int3
 static void column_find(const cni_heavy_pass *q, int32_t contact, int32_t row)
 {
 	int32_t floats = CNI_NODE_LANES * (q->c->end - q->c->begin), last = CNI_HEAVY_ROWS * contact + row, count, k;
-	float *halves = q->sparse->heavy_halves, *z = halves + (size_t)(CNI_HEAVY_ROWS * q->count) * (size_t)floats;
+	float *halves = q->g->halves, *z = halves + (size_t)(CNI_HEAVY_ROWS * q->count) * (size_t)floats;
 	int32_t *at = (int32_t *)(void *)(z + floats);
 	float *own = &cni_heavy_column(q, contact, row)[cni_heavy_at(contact, row)], mass = q->points[contact].mass[row];
 	unit_impulse u = unit_impulse_make(q, contact, row);

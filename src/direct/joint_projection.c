@@ -20,15 +20,14 @@
 
 void cni_projection_mark(const cn_world *world, cni_sparse *sparse)
 {
-	int32_t k, i;
-	for (k = 0; k < world->awake_count; ++k)
+	for (int32_t k = 0; k < world->awake_count; ++k)
 		sparse->projection_of[k] = CNI_NONE;
 	memset(sparse->projections, 0, sizeof(cni_projection) * (size_t)sparse->component_count);
-	for (k = 0; k < sparse->component_count; ++k) {
+	for (int32_t k = 0; k < sparse->component_count; ++k) {
 		const cni_component *c = &sparse->components[k];
 		if (c->done || c->has_contacts || c->touched == 0)
 			continue;
-		for (i = c->body_begin; i < c->body_end; ++i)
+		for (int32_t i = c->body_begin; i < c->body_end; ++i)
 			sparse->projection_of[sparse->bodies[i]] = k;
 		sparse->projections[k].listed = 1;
 		sparse->projections[k].mark_begin = CNI_NONE;
@@ -40,10 +39,9 @@ void cni_projection_mark(const cn_world *world, cni_sparse *sparse)
 static int32_t is_opening(const cn_world *world, const cni_solve *s, const cni_component *c)
 {
 	float most = CNI_BAD_PART * world->settings.accuracy * s->inv_h;
-	int32_t k, i;
-	for (k = c->begin; k < c->end; ++k) {
+	for (int32_t k = c->begin; k < c->end; ++k) {
 		const cni_node *n = &s->direct->nodes[k];
-		for (i = 0; i < n->rows; ++i)
+		for (int32_t i = 0; i < n->rows; ++i)
 			if (cni_abs(n->x[i]) * cni_row_length(world, &cni_joint_constraints(world)[n->owner].rows[i]) > most)
 				return 1;
 	}
@@ -81,10 +79,9 @@ static void joint_drift(const cn_world *world, const cni_solve *s, cni_node *n)
 	const cni_motion *motions = cni_motions(world);
 	const cni_joint_constraint *w = cni_joint_constraints(world) + n->owner;
 	float ahead[CNI_NODE_ROWS], now[CNI_NODE_LANES];
-	int32_t i;
 	cni_joint_constraint_ahead(w, motions, s->h, ahead);
 	cni_four_store(now, cni_levers_speed(&n->levers, motions + n->ia, motions + n->ib));
-	for (i = n->rows - 1; i >= 0; --i) {
+	for (int32_t i = n->rows - 1; i >= 0; --i) {
 		float most = cni_row_push_speed(world, &w->rows[i]);
 		ahead[i] = (ahead[i] - w->rows[i].error) * s->inv_h;
 		n->x[i] -= cni_clamp(ahead[i] + (i < n->rows - 1 ? n->share[i] * ahead[n->rows - 1] : 0.0f) - now[i], -most, most);
@@ -97,8 +94,7 @@ static void drifts_add(const cn_world *world, const cni_solve *s, const cni_comp
 {
 	const cni_motion *motions = cni_motions(world);
 	float least = CNI_PROJECTION_TURN_RAD * s->inv_h;
-	int32_t k;
-	for (k = c->begin; k < c->end; ++k) {
+	for (int32_t k = c->begin; k < c->end; ++k) {
 		cni_node *n = &s->direct->nodes[k];
 		float wa = motions[n->ia].w, wb = motions[n->ib].w;
 		int32_t turns = cni_abs(wa) > least || cni_abs(wb) > least;
@@ -142,9 +138,8 @@ static void body_marks_find(const cn_world *world, cni_sparse *sparse, int32_t c
 static void marks_find(const cn_world *world, cni_sparse *sparse, int32_t component)
 {
 	const cni_component *c = &sparse->components[component];
-	int32_t k;
 	sparse->projections[component].mark_begin = sparse->projection_mark_count;
-	for (k = c->body_begin; k < c->body_end; ++k)
+	for (int32_t k = c->body_begin; k < c->body_end; ++k)
 		body_marks_find(world, sparse, component, cni_body_at(world, cni_awake_ids(world)[sparse->bodies[k]]));
 	sparse->projections[component].mark_end = sparse->projection_mark_count;
 }
@@ -153,10 +148,9 @@ static void marks_find(const cn_world *world, cni_sparse *sparse, int32_t compon
 static void contacts_mark(const cn_world *world, cni_sparse *sparse, int32_t component)
 {
 	cni_projection *projection = &sparse->projections[component];
-	int32_t k;
 	if (projection->mark_begin == CNI_NONE)
 		marks_find(world, sparse, component);
-	for (k = projection->mark_begin; k < projection->mark_end; ++k) {
+	for (int32_t k = projection->mark_begin; k < projection->mark_end; ++k) {
 		const cni_marked_lanes *m = &sparse->projection_marks[k];
 		cni_block_info *info = cni_block_info_at(world, m->block);
 		info->again = (cni_lane_bits)(info->again | m->lanes);
@@ -169,10 +163,9 @@ static void contacts_mark(const cn_world *world, cni_sparse *sparse, int32_t com
 /* Selects projections to check: all in the first round, then those that opened in the last round or whose bodies contacts changed. */
 static void projections_select(cni_sparse *sparse, int32_t round)
 {
-	int32_t k;
-	for (k = 0; k < sparse->batch_count; ++k)
+	for (int32_t k = 0; k < sparse->batch_count; ++k)
 		sparse->batches[k].selected = 0;
-	for (k = 0; k < sparse->component_count; ++k) {
+	for (int32_t k = 0; k < sparse->component_count; ++k) {
 		cni_projection *p = &sparse->projections[k];
 		const cni_component *c = &sparse->components[k];
 		p->selected = p->listed && (round == 0 || p->opening || p->changed);
@@ -182,18 +175,21 @@ static void projections_select(cni_sparse *sparse, int32_t round)
 	}
 }
 
-/* Returns 1 when it was solved. */
-static int32_t component_project(cn_world *world, const cni_solve *s, cni_component *c)
+/* Solves it where it is opening. */
+static void component_project(cn_world *world, const cni_solve *s, cni_component *c, int32_t argument)
 {
-	if (c->done)
-		return 0;
+	cni_projection *p = &s->direct->projections[c - s->direct->components];
+	(void)argument;
+	p->opening = 0;
+	if (!p->selected || c->done || c->batches)
+		return;
 	cni_direct_right_sides(world, s, c, 1);
 	drifts_add(world, s, c);
-	if (!is_opening(world, s, c))
-		return 0;
+	p->opening = is_opening(world, s, c);
+	if (!p->opening)
+		return;
 	cni_component_solve(world, s, c);
 	(void)cni_component_lock(world, s, c, CNI_BUCKLE_RAD);
-	return 1;
 }
 
 /* Returns 1 when some joints were opening, so that their contacts must be solved once more. */
@@ -202,12 +198,16 @@ static int32_t projections_run(cn_world *world, const cni_solve *s, int32_t roun
 	int32_t k, opening = 0;
 	projections_select(s->direct, round);
 	cni_tree_batches_run(world, s, CNI_TREES_PROJECT);
+	cni_components_run(world, s, s->team, 1, component_project, 0);
+	cni_components_give_up(world, s);
 	for (k = 0; k < s->direct->component_count; ++k) {
 		cni_projection *p = &s->direct->projections[k];
 		cni_component *c = &s->direct->components[k];
-		int32_t solved = p->selected && (c->batches ? (int32_t)(s->direct->batches[c->batch].opening >> c->lane & 1u) : component_project(world, s, c));
-		if (solved && c->batches)
+		int32_t solved = p->selected && (c->batches ? (int32_t)(s->direct->batches[c->batch].opening >> c->lane & 1u) : p->opening);
+		if (solved && c->batches) {
 			cni_tree_lane_lock(world, s, c, CNI_BUCKLE_RAD);
+			cni_component_give_up(world, s->direct, c);
+		}
 		p->opening = solved && round < cni_max_i(1, cni_min_i(c->end - c->begin - 1, CNI_PROJECTION_ROUNDS)); /* an impact travels joint by joint */
 		opening |= p->opening;
 	}
@@ -216,11 +216,10 @@ static int32_t projections_run(cn_world *world, const cni_solve *s, int32_t roun
 
 void cni_direct_project(cn_world *world, const cni_solve *s)
 {
-	int32_t k, round;
 	if (s->direct == NULL || s->direct->projection_count == 0)
 		return;
-	for (round = 0; projections_run(world, s, round); ++round) {
-		for (k = 0; k < s->direct->component_count; ++k)
+	for (int32_t round = 0; projections_run(world, s, round); ++round) {
+		for (int32_t k = 0; k < s->direct->component_count; ++k)
 			if (s->direct->projections[k].opening)
 				contacts_mark(world, s->direct, k);
 		cni_contacts_pass(world, s, CNI_PASS_AGAIN);

@@ -36,6 +36,8 @@
 
 #include <string.h>
 
+#define COMPONENTS_A_RANGE 2
+
 /* ---- which components ---- */
 
 /* 1: no row but the rigid ones, or that of a rope, can act in this step. */
@@ -149,6 +151,8 @@ static float gap_left(const rattle_step *g, const cni_joint_constraint *w, int32
 
 static void move(cni_motion *m, const cni_changes *c, float h, float part)
 {
+	if (!cni_motion_can_move(m))
+		return;
 	cni_changes_add(c, part, &m->vx, CNI_NODE_ROWS);
 	cni_changes_add(c, h, &m->dpx, CNI_NODE_ROWS);
 }
@@ -350,8 +354,7 @@ static float solution_follow(const rattle_step *g, float last)
 static int32_t positions_project(const rattle_step *g)
 {
 	float gap = gaps_find(g), last = FLT_MAX;
-	int32_t round;
-	for (round = 0; round < CNI_RATTLE_PROJECT_ROUNDS && gap > g->closed &&
+	for (int32_t round = 0; round < CNI_RATTLE_PROJECT_ROUNDS && gap > g->closed &&
 		(!g->c->loops || gap < CNI_RATTLE_SLOWEST_PART * last); ++round) {
 		last = gap;
 		cni_direct_refresh(g->world, g->sparse, g->c);
@@ -435,7 +438,6 @@ static void impulses_reset(const rattle_step *g, float scale)
 static void step_undo(rattle_step *g)
 {
 	bases_place(g, 0.0f);
-	cni_dummy_stand(g->world);
 	if (g->c->damps)
 		cni_sparse_clear(g->sparse, g->c);
 	cni_direct_motions_save(g->world, g->sparse, g->c, 1);
@@ -544,19 +546,28 @@ static int32_t attempt_work(const cni_component *c, int32_t substeps)
 	return work < CNI_ATTEMPT_WORK ? (int32_t)work : CNI_ATTEMPT_WORK;
 }
 
-/* Runs RATTLE with twice the substeps after each failure, as the work of the step allows. Returns 1 when a step succeeded. */
-static int32_t rattle_run(rattle_step *g, const cni_solve *s, cni_component *c, int32_t substeps, cni_joint_trust *t)
+/* Tries a step by RATTLE. 0: it failed, and all is as before. */
+static int32_t rattle_try(rattle_step *g, const cni_solve *s, cni_component *c, int32_t substeps, cni_joint_trust *t)
 {
 	cni_joint_trust before = *t;
-	do {
-		if (step_try(g, s, c, substeps, 0, t))
-			return 1;
-		*t = before;
-		step_undo(g);
+	if (step_try(g, s, c, substeps, 0, t))
+		return 1;
+	*t = before;
+	step_undo(g);
+	return 0;
+}
+
+/* After a failure with this number of substeps: doubles it after each, as the work of the step allows. Returns 1 when a step succeeded. */
+static int32_t rattle_retry(rattle_step *g, const cni_solve *s, cni_component *c, int32_t substeps, cni_joint_trust *t)
+{
+	for (;;) {
 		g->world->set_work += attempt_work(c, substeps);
 		substeps *= 2;
-	} while (substeps <= CNI_RATTLE_SUBSTEPS_RETRY && (g->world->settings.solver != CN_SOLVER_AUTO || g->world->set_work + attempt_work(c, substeps) <= CNI_RATTLE_WORK));
-	return 0;
+		if (substeps > CNI_RATTLE_SUBSTEPS_RETRY || (g->world->settings.solver == CN_SOLVER_AUTO && g->world->set_work + attempt_work(c, substeps) > CNI_RATTLE_WORK))
+			return 0;
+		if (rattle_try(g, s, c, substeps, t))
+			return 1;
+	}
 }
 
 /* Substeps of projections: of a large system as few as half of the work allows. */
@@ -568,37 +579,66 @@ static int32_t projection_substeps(const cn_world *world, const cni_solve *s, co
 	return cni_max_i(substeps, s->substeps);
 }
 
-static void component_run(cn_world *world, const cni_solve *s, cni_component *c)
+static rattle_step step_open(cn_world *world, const cni_solve *s, cni_component *c)
 {
 	rattle_step g = { world, s->direct, c, cni_motions(world), s->h,
 		CNI_RATTLE_CLOSED * world->settings.length_unit, 0.0f, 0.5f, 0.0f, 0.0f, 0.0f, 0 };
+	g.held = cni_component_held(world, g.sparse, c) > 0;
+	return g;
+}
+
+static void step_accept(rattle_step *g, const cni_solve *s, const cni_joint_trust *trust)
+{
+	trust_write(g, trust);
+	bases_place(g, 0.0f); /* the substeps move them */
+	step_finish(g, s);
+}
+
+/* What is pending of a component after its first attempt: retries from this number of substeps on; or projections alone. */
+#define PENDING_PROJECTION (-1)
+
+static void component_begin(cn_world *world, const cni_solve *s, cni_component *c, int32_t argument)
+{
+	(void)argument;
+	if (!c->uses_rattle)
+		return;
+	rattle_step g = step_open(world, s, c);
 	float rods, last_h = s->warm_scale > 0.0f ? s->h / s->warm_scale : s->h; /* substep of the records' impulses */
 	cni_joint_trust trust = trust_read(&g);
-	g.held = cni_component_held(world, g.sparse, c) > 0;
 	cni_direct_rotations(world, g.sparse, c);
 	rods = cni_geometric_stiffness_rods(world, g.sparse, c, last_h);
 	cni_geometric_stiffness_find(world, g.sparse, c, last_h);
 	cni_direct_motions_save(world, g.sparse, c, 0);
 	c->done = 1;
-	int32_t projects = trust.span > 0 && trust.until > world->step_count;
-	if (projects || !rattle_run(&g, s, c, substeps_of(&g, s, rods), &trust)) {
-		if (!projects)
-			cni_trust_fail(world, &trust, 0);
-		if (!step_try(&g, s, c, projection_substeps(world, s, c), 1, &trust)) {
-			step_undo(&g);
-			joints_release(&g, s, &trust);
-			trust_write(&g, &trust);
-			return;
-		}
+	c->pending = trust.span > 0 && trust.until > world->step_count ? PENDING_PROJECTION : substeps_of(&g, s, rods);
+	if (c->pending != PENDING_PROJECTION && rattle_try(&g, s, c, c->pending, &trust)) {
+		c->pending = 0;
+		step_accept(&g, s, &trust);
 	}
-	trust_write(&g, &trust);
-	bases_place(&g, 0.0f); /* the substeps move them */
-	step_finish(&g, s);
 }
 
+static void component_end(cn_world *world, const cni_solve *s, cni_component *c)
+{
+	rattle_step g = step_open(world, s, c);
+	cni_joint_trust trust = trust_read(&g);
+	int32_t solved = c->pending != PENDING_PROJECTION && rattle_retry(&g, s, c, c->pending, &trust);
+	if (!solved && c->pending != PENDING_PROJECTION)
+		cni_trust_fail(world, &trust, 0);
+	c->pending = 0;
+	if (solved || step_try(&g, s, c, projection_substeps(world, s, c), 1, &trust)) {
+		step_accept(&g, s, &trust);
+		return;
+	}
+	step_undo(&g);
+	joints_release(&g, s, &trust);
+	trust_write(&g, &trust);
+}
+
+/* Workers share the first attempts; retries share the work of the step, in order. */
 void cni_rattle_run(cn_world *world, const cni_solve *s)
 {
-	for (int32_t k = 0; s->direct != NULL && k < s->direct->component_count; ++k)
-		if (s->direct->components[k].uses_rattle)
-			component_run(world, s, &s->direct->components[k]);
+	cni_components_run(world, s, cni_components_team(world, s->direct, s->substeps), COMPONENTS_A_RANGE, component_begin, 0);
+	for (int32_t k = 0; k < s->direct->component_count; ++k)
+		if (s->direct->components[k].uses_rattle && s->direct->components[k].pending)
+			component_end(world, s, &s->direct->components[k]);
 }

@@ -401,7 +401,6 @@ static void island_give_back(cn_world *world, cni_island *i)
 static int32_t island_stays(cn_world *world, int32_t island, float h)
 {
 	cni_island *i = cni_island_at(world, island);
-	int32_t good;
 	if (i->first == CNI_NONE)
 		return 0;
 	if (i->tier != CNI_TIER_DIRECT) {
@@ -424,7 +423,7 @@ static int32_t island_stays(cn_world *world, int32_t island, float h)
 		return 0;
 	}
 	leaning_island_keep(world, island, h);
-	good = i->good_steps;
+	int32_t good = i->good_steps;
 	i->good_steps = cni_min_i(good, CNI_SELECTION_STAY_MAX - 1) + (i->solver != CN_SOLVER_SOFT);
 	if (i->solver == CN_SOLVER_DIRECT || (i->solver == CN_SOLVER_AUTO && good < cni_max_i(i->stay_steps, CNI_SELECTION_STAY_FIRST))) {
 		i->reason = CN_TIER_REASON_SETTLING;

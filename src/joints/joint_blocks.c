@@ -20,7 +20,6 @@
 #include <string.h>
 
 #define BLOCKS_A_RANGE 8      /* a microsecond or two, more than the workers of a team take to meet */
-#define STORES_AHEAD 8        /* joints whose records are asked for */
 #define STORES_A_RANGE 512
 
 const cni_joint_kernel *cni_joint_kernel_choose(void)
@@ -429,17 +428,9 @@ static void store_range(void *context, int32_t begin, int32_t end)
 	store_loop *loop = (store_loop *)context;
 	cn_world *world = loop->world;
 	const cni_joint_constraint *constraints = cni_joint_constraints(world);
-	int32_t far = cni_joints_are_far(world);
-	for (int32_t k = begin; k < end; ++k) {
-		if (far && k + STORES_AHEAD < end && constraints[k + STORES_AHEAD].lane != CNI_NONE) {
-			const cni_joint_block *next = cni_joint_block_of(world, &constraints[k + STORES_AHEAD]);
-			cni_joint_prefetch(constraints[k + STORES_AHEAD].record);
-			CNI_PREFETCH(next->jx);
-			CNI_PREFETCH(next->jy);
-		}
+	for (int32_t k = begin; k < end; ++k)
 		if (constraints[k].lane != CNI_NONE)
 			lane_store(world, &constraints[k], loop->s);
-	}
 }
 
 void cni_joint_blocks_store(cn_world *world, const cni_solve *s)

@@ -74,25 +74,6 @@ static inline int32_t cni_joint_is_rope(const cni_joint *j)
 }
 /* Flags a rope that may become taut within this time. */
 void cni_joint_rope_mark(const cn_world *world, cni_joint_constraint *w, float dt);
-/* 1: there are so many that records leave the caches between two loops over all. Prefetching then pays. */
-static inline int32_t cni_joints_are_far(const cn_world *world)
-{
-	return world->awake_joints.count >= 1024;
-}
-/* The whole record: three cache lines. */
-CNI_INLINE void cni_joint_prefetch(const cni_joint *j)
-{
-	CNI_PREFETCH(j);
-	CNI_PREFETCH(j->impulse);
-	CNI_PREFETCH(j->p);
-}
-CNI_INLINE void cni_component_prefetch(const cn_world *world, const cni_sparse *sparse, int32_t component)
-{
-	const cni_component *c = &sparse->components[component];
-	for (int32_t k = c->begin; k < c->end; ++k)
-		if (sparse->nodes[k].owner >= 0)
-			cni_joint_prefetch(cni_joint_constraints(world)[sparse->nodes[k].owner].record);
-}
 /* Metres for one unit of a row's error or speed, where it is compared with those of others: a radian counts as a length unit. */
 static inline float cni_row_length(const cn_world *world, const cni_row *r)
 {

@@ -12,7 +12,6 @@
 #include "joints/joints.h"
 #include "joints/joint_pass.h"
 
-#define PREFETCH_AHEAD 8 /* joints */
 #define JOINTS_A_RANGE 256
 #define FEW_JOINTS_PART 8 /* of the awake bodies: the bodies of so few joints are looked up one by one */
 
@@ -29,13 +28,9 @@ static void prepare_range(void *context, int32_t begin, int32_t end)
 	prepare_loop *loop = (prepare_loop *)context;
 	cn_world *world = loop->world;
 	struct cni_lane_setup setup = { { 0.0f, 0.0f, { 0.0f, 0.0f, 1.0f } }, world->joint_lanes.lanes > 0, 0, 0 };
-	int32_t ahead = cni_joints_are_far(world) ? PREFETCH_AHEAD : world->awake_joints.count;
-	for (int32_t k = begin; k < end; ++k) {
-		if (k + ahead < end)
-			cni_joint_prefetch(cni_joint_at(world, ((const int32_t *)world->awake_joints.data)[k + ahead]));
+	for (int32_t k = begin; k < end; ++k)
 		if (!cni_joint_constraint_widen(world, loop->s, &setup, k))
 			cni_joint_constraint_prepare(world, loop->s, k);
-	}
 	cni_atomic_add(&loop->filled, (uint32_t)setup.filled);
 	if (setup.special)
 		cni_atomic_put(&loop->special, 1);

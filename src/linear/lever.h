@@ -53,15 +53,20 @@ static inline float cni_lever_speed(const cni_lever *l, const cni_motion *a, con
 	return l->ax * a->vx + l->ay * a->vy + l->aw * a->w + l->bx * b->vx + l->by * b->vy + l->bw * b->w;
 }
 
+/* What cannot move is not written: workers share it. */
 static inline void cni_lever_push(const cni_lever *l, float impulse, cni_motion *a, cni_motion *b)
 {
 	float ma = a->inv_mass * impulse, mb = b->inv_mass * impulse;
-	a->vx += ma * l->ax;
-	a->vy += ma * l->ay;
-	a->w += a->inv_inertia * impulse * l->aw;
-	b->vx += mb * l->bx;
-	b->vy += mb * l->by;
-	b->w += b->inv_inertia * impulse * l->bw;
+	if (cni_motion_can_move(a)) {
+		a->vx += ma * l->ax;
+		a->vy += ma * l->ay;
+		a->w += a->inv_inertia * impulse * l->aw;
+	}
+	if (cni_motion_can_move(b)) {
+		b->vx += mb * l->bx;
+		b->vy += mb * l->by;
+		b->w += b->inv_inertia * impulse * l->bw;
+	}
 }
 
 /* to += part * l */
@@ -119,8 +124,10 @@ CNI_INLINE void cni_levers_push(const cni_levers *l, const float *x, cni_motion 
 {
 	cni_four impulses = cni_four_load(x);
 	const cni_changes of_a = cni_lever_ends_changes(l->ax, l->ay, l->aw, impulses, a), of_b = cni_lever_ends_changes(l->bx, l->by, l->bw, impulses, b);
-	cni_changes_add(&of_a, 1.0f, &a->vx, rows); /* inv_mass stays */
-	cni_changes_add(&of_b, 1.0f, &b->vx, rows);
+	if (cni_motion_can_move(a))
+		cni_changes_add(&of_a, 1.0f, &a->vx, rows); /* inv_mass stays */
+	if (cni_motion_can_move(b))
+		cni_changes_add(&of_b, 1.0f, &b->vx, rows);
 }
 
 #endif

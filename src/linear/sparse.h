@@ -77,6 +77,8 @@ typedef struct cni_component {
 	float regular;                 /* regularization: this fraction of the diagonal is added to it */
 	int32_t uses_rattle;           /* 1: direct/rattle.c takes the bodies' whole step */
 	int32_t done;                  /* 1: finished for this step */
+	int32_t meets_kinematic;       /* 1: one of its joints ends at a body that cannot move and is not static */
+	int32_t pending;               /* not 0: what is left to do after a loop that workers share */
 	int32_t has_contacts;          /* 1: with contacts, see direct/direct_contacts.c */
 	int32_t contact_begin, contact_end; /* ... in contacts */
 	int32_t cone_pushed;           /* ... 1: direct/friction_cones.c ran in the pass with bias of this substep */
@@ -132,6 +134,9 @@ typedef struct cni_sparse {
 	int32_t coupling_count;
 	cni_component *components;
 	int32_t component_count;
+	int32_t *alone;               /* components without a batch that are not done, or whose lane may have to be locked: direct/component_loop.c */
+	int32_t alone_count, shared_count; /* ... of which workers share the first */
+	int64_t alone_work;           /* ... the work of all */
 	int32_t *bodies;              /* dense indices, by component */
 	int32_t body_count;
 	int32_t arena_entries;        /* entries of the arena before planning */
@@ -148,8 +153,8 @@ typedef struct cni_sparse {
 	int32_t heavy_count;
 	struct cni_heavy_group *heavy_groups;  /* ... by component */
 	int32_t heavy_group_count;
-	struct cni_direct_contact *heavy_points; /* ... of the group that is solved */
-	float *heavy_halves;                   /* ... whose response is found: direct/heavy_response.c */
+	int32_t *heavy_chains;                 /* ... the first group of each island */
+	int32_t heavy_chain_count;
 	cni_motion *saved;            /* by index in bodies */
 	float *pull;                  /* by dense body: sum(r.f) of its joints; direct/geometric_stiffness.c */
 	cni_rot *turn;                /* by dense body: rotation since the step began */

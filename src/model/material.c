@@ -41,15 +41,12 @@ static cn_material mix_by_rules(const cn_material *a, const cn_material *b)
 {
 	int32_t friction_rule = cni_max_i(a->friction_mix, b->friction_mix);
 	int32_t restitution_rule = cni_max_i(a->restitution_mix, b->restitution_mix);
-	cn_material m;
+	cn_material m = { .friction_mix = friction_rule, .restitution_mix = restitution_rule };
 	m.static_friction = mix(friction_rule, a->static_friction, b->static_friction);
 	m.dynamic_friction = cni_min(mix(friction_rule, a->dynamic_friction, b->dynamic_friction), m.static_friction);
 	m.restitution = mix(restitution_rule, a->restitution, b->restitution);
 	m.rolling_resistance = cni_max(a->rolling_resistance, b->rolling_resistance);
 	m.tangent_speed_mps = a->tangent_speed_mps + b->tangent_speed_mps;
-	m.friction_mix = friction_rule;
-	m.restitution_mix = restitution_rule;
-	m.user_id = 0;
 	return m;
 }
 

@@ -31,12 +31,11 @@ cni_soft cni_soft_row(float hertz, float damping_ratio, float h)
 static float decay_of(float x)
 {
 	int32_t halvings = 0;
-	float e;
 	if (x > 80.0f)
 		return 1.0f;
 	for (; x > 0.5f; x *= 0.5f)
 		++halvings;
-	e = x * (1.0f - x * (0.5f - x * (1.0f / 6.0f - x * (1.0f / 24.0f - x * (1.0f / 120.0f - x * (1.0f / 720.0f - x * (1.0f / 5040.0f)))))));
+	float e = x * (1.0f - x * (0.5f - x * (1.0f / 6.0f - x * (1.0f / 24.0f - x * (1.0f / 120.0f - x * (1.0f / 720.0f - x * (1.0f / 5040.0f)))))));
 	while (halvings-- > 0)
 		e *= 2.0f - e;
 	return e;

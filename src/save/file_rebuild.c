@@ -88,9 +88,8 @@ static void geometry_write(const cn_world *world, cni_file *f, const cni_shape *
 
 static void geometries_pass(cn_world *world, cni_file *f)
 {
-	int32_t k;
 	(void)cni_file_chunk_begin(f, "GEOM", 4);
-	for (k = cni_handles_next(&world->shape_handles, 0); k != CNI_NONE && f->result == CN_OK; k = cni_handles_next(&world->shape_handles, k + 1)) {
+	for (int32_t k = cni_handles_next(&world->shape_handles, 0); k != CNI_NONE && f->result == CN_OK; k = cni_handles_next(&world->shape_handles, k + 1)) {
 		if (f->mode == CNI_FILE_READ)
 			geometry_read(world, f, cni_shape_at(world, k));
 		else

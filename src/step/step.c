@@ -139,8 +139,7 @@ static void substeps_run(cn_world *world, cni_solve *s)
 	substeps all = { world, s };
 	if (world->awake_count == 1)
 		return; /* only the dummy */
-	if (s->lanes + world->awake_joints.count + world->awake_count >= SHARED_WORK)
-		s->team = world->team;
+	s->team = s->lanes + world->awake_joints.count + world->awake_count >= SHARED_WORK ? world->team : has_direct(s) ? cni_components_team(world, s->direct, s->substeps) : NULL;
 	cni_team_run(s->team, substeps_lead, &all);
 }
 

@@ -64,12 +64,11 @@ cn_result cn_shape_set_area(cn_world *world, cn_shape shape, const cn_area_def *
 cn_result cn_shape_get_area(const cn_world *world, cn_shape shape, cn_area_def *out)
 {
 	cni_call call = cni_enter_const(world);
-	const cni_area *a;
 	cni_check_shape(&call, "shape", shape);
 	cni_check_pointer(&call, "out", out);
 	if (call.result != CN_OK)
 		return call.result;
-	a = cni_area_of_shape(world, cni_shape_index(world, shape));
+	const cni_area *a = cni_area_of_shape(world, cni_shape_index(world, shape));
 	if (a == NULL)
 		return cni_refuse(&call, CN_ERROR_STATE, "the shape is no area");
 	*out = a->def;
@@ -102,8 +101,6 @@ cn_result cn_shape_apply_wind(cn_world *world, cn_shape shape, float flow_x_mps,
 	cni_call call = cni_enter(world, __func__);
 	const cni_shape *s = cni_check_shape(&call, "shape", shape);
 	cni_medium wind = { { 0.0f, 1.0f }, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, { 0.0f, 0.0f } };
-	cn_velocity v;
-	cni_body *b;
 	wind.flow = cni_v(flow_x_mps, flow_y_mps);
 	wind.drag = drag_kgpm2;
 	wind.lift = lift_kgpm2;
@@ -114,10 +111,10 @@ cn_result cn_shape_apply_wind(cn_world *world, cn_shape shape, float flow_x_mps,
 	cni_check(&call, s == NULL || s->body != CNI_NONE, CN_ERROR_STATE, "the shape is not attached");
 	if (call.result != CN_OK)
 		return call.result;
-	b = cni_body_at(world, s->body);
+	cni_body *b = cni_body_at(world, s->body);
 	if (b->type != CN_BODY_DYNAMIC || !(b->flags & CN_BODY_ENABLED) || (wake == 0 && b->awake == 0))
 		return CN_OK;
-	v = velocity_in_wind(world, b, s, &wind, dt_s);
+	cn_velocity v = velocity_in_wind(world, b, s, &wind, dt_s);
 	if (!cni_is_finite2(v.linear_mps) || !cni_is_finite(v.angular_radps))
 		return cni_refuse(&call, CN_ERROR_ARGUMENT, "the velocity after the wind must stay finite");
 	cni_body_wake(world, s->body);

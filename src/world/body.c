@@ -69,11 +69,10 @@ cn_result cn_body_set_name(cn_world *world, cn_body body, const char *name)
 {
 	cni_call call = cni_enter(world, __func__);
 	cni_body *b = cni_check_body(&call, "body", body);
-	cni_ref copy;
 	check_name(&call, name);
 	if (call.result != CN_OK)
 		return call.result;
-	copy = name_copy(world, name);
+	cni_ref copy = name_copy(world, name);
 	if (copy == 0 && name_bytes(name) > 0)
 		return cni_refuse(&call, CN_ERROR_MEMORY, "no memory for the name");
 	name_free(world, b);
@@ -154,13 +153,12 @@ cn_result cn_body_create(cn_world *world, const cn_body_def *def, cn_body *out_b
 cn_result cn_body_create_many(cn_world *world, const cn_body_def *defs, int32_t count, cn_body *out_bodies)
 {
 	cni_call call = cni_enter(world, __func__);
-	int32_t k;
 	cni_check_array(&call, "defs", defs, count);
 	cni_check_array(&call, "out_bodies", out_bodies, count);
-	for (k = 0; k < count && call.result == CN_OK; ++k)
+	for (int32_t k = 0; k < count && call.result == CN_OK; ++k)
 		check_def(&call, defs + k);
 	reserve_bodies(&call, world, defs, count);
-	for (k = 0; k < count && call.result == CN_OK; ++k)
+	for (int32_t k = 0; k < count && call.result == CN_OK; ++k)
 		out_bodies[k] = body_commit(world, defs + k);
 	return call.result;
 }
@@ -266,10 +264,9 @@ cn_result cn_body_get_shapes(const cn_world *world, cn_body body, cn_shape *out,
 	cni_call call = cni_enter_const(world);
 	const cni_body *b = cni_check_body(&call, "body", body);
 	cni_list list = cni_list_begin(&call, out, capacity, out_count);
-	int32_t shape;
 	if (call.result != CN_OK)
 		return call.result;
-	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next)
+	for (int32_t shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next)
 		cni_list_add(&list, cni_handles_of(&world->shape_handles, shape));
 	*out_count = list.count;
 	return CN_OK;

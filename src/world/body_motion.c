@@ -9,8 +9,7 @@
    contacts of sleeping bodies. */
 static void wake_contacts(cn_world *world, int32_t body)
 {
-	int32_t key;
-	for (key = cni_body_at(world, body)->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1])
+	for (int32_t key = cni_body_at(world, body)->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1])
 		cni_body_wake(world, cni_contact_of_key(world, key)->body[1 - (key & 1)]);
 }
 
@@ -58,10 +57,9 @@ cn_result cn_body_set_pose(cn_world *world, cn_body body, float position_x_m, fl
 /* A getter a body is how most programs read, so it must not wait for the record where the readback is kept. */
 cn_result cn_body_get_pose(const cn_world *world, cn_body body, cn_pose *out)
 {
-	int32_t index;
 	if (world == NULL)
 		return CN_ERROR_ARGUMENT;
-	index = cni_handles_find(&world->body_handles, body);
+	int32_t index = cni_handles_find(&world->body_handles, body);
 	if (index == CNI_NONE || out == NULL)
 		return index == CNI_NONE ? CN_ERROR_HANDLE : CN_ERROR_ARGUMENT;
 	*out = cni_readback_ask(world) ? cni_readback_at(world, index)->pose : cni_body_pose(cni_body_at(world, index));
@@ -107,14 +105,13 @@ cn_result cn_body_set_target_pose(cn_world *world, cn_body body, float position_
 	cn_vec2 position_m = { position_x_m, position_y_m };
 	cni_call call = cni_enter(world, __func__);
 	const cni_body *b = cni_check_body(&call, "body", body);
-	cn_velocity v;
 	cni_check_position(&call, "position_m", position_m);
 	cni_check_angle(&call, "angle_rad", angle_rad);
 	cni_check_range(&call, "dt_s", dt_s, 1e-6f, 1.0f);
 	cni_check(&call, b == NULL || b->type == CN_BODY_KINEMATIC, CN_ERROR_STATE, "the body is not kinematic");
 	if (call.result != CN_OK)
 		return call.result;
-	v = velocity_to(b, position_m, angle_rad, dt_s);
+	cn_velocity v = velocity_to(b, position_m, angle_rad, dt_s);
 	return cn_body_set_velocity(world, body, v.linear_mps.x, v.linear_mps.y, v.angular_radps);
 }
 
@@ -164,13 +161,11 @@ static push push_at(cni_call *call, cn_body body, const char *field, float x, fl
 static cn_result add_force(cni_call *call, cn_world *world, cn_body body, push p)
 {
 	cni_external *d;
-	cni_vec2 total;
-	float total_torque;
 	if (call->result != CN_OK || !takes_forces(p.body))
 		return call->result;
 	d = cni_externals(world) + p.body->awake; /* the dummy has no force */
-	total = cni_add(cni_v(d->ax, d->ay), p.linear);
-	total_torque = d->alpha + p.angular;
+	cni_vec2 total = cni_add(cni_v(d->ax, d->ay), p.linear);
+	float total_torque = d->alpha + p.angular;
 	if (!cni_is_finite2(total) || !cni_is_finite(total_torque))
 		return cni_refuse(call, CN_ERROR_ARGUMENT, "the sum of forces and torques of this step must stay finite");
 	cni_body_wake(world, cni_body_index(world, body));
@@ -185,10 +180,9 @@ static cn_result add_force(cni_call *call, cn_world *world, cn_body body, push p
 static cn_result add_impulse(cni_call *call, cn_world *world, cn_body body, push p)
 {
 	cni_body *b = p.body;
-	cn_velocity v;
 	if (call->result != CN_OK || !takes_forces(b))
 		return call->result;
-	v = cni_body_velocity(world, b);
+	cn_velocity v = cni_body_velocity(world, b);
 	v.linear_mps = cni_add(v.linear_mps, cni_v(p.linear.x / b->mass, p.linear.y / b->mass));
 	if (b->inertia > 0.0f)
 		v.angular_radps += p.angular / b->inertia;

@@ -113,16 +113,14 @@ CNI_DEFINE_GET(body, type, int32_t, record->type)
 
 static void unplace_all(cn_world *world, const cni_body *b, int32_t end)
 {
-	int32_t shape;
-	for (shape = b->shape_first; shape != end; shape = cni_shape_at(world, shape)->next)
+	for (int32_t shape = b->shape_first; shape != end; shape = cni_shape_at(world, shape)->next)
 		cni_shape_unplace(world, shape);
 }
 
 /* Creates the boxes of every shape, or of none on failure. */
 static void place_all(cni_call *call, cn_world *world, const cni_body *b)
 {
-	int32_t shape;
-	for (shape = b->shape_first; shape != CNI_NONE && call->result == CN_OK; shape = cni_shape_at(world, shape)->next) {
+	for (int32_t shape = b->shape_first; shape != CNI_NONE && call->result == CN_OK; shape = cni_shape_at(world, shape)->next) {
 		cni_check_reserved(call, cni_shape_place(world, shape), "boxes of its shapes");
 		if (call->result != CN_OK)
 			unplace_all(world, b, shape);
@@ -132,10 +130,9 @@ static void place_all(cni_call *call, cn_world *world, const cni_body *b)
 static void set_enabled(cn_world *world, int32_t body, int32_t enabled)
 {
 	cni_body *b = cni_body_at(world, body);
-	int32_t chain;
 	cni_body_let_go(world, body);
 	cni_body_wake(world, body);
-	chain = joints_unlink(world, b);
+	int32_t chain = joints_unlink(world, b);
 	if (enabled) {
 		b->flags |= CN_BODY_ENABLED;
 		cni_body_wake_met(world, body);
@@ -151,12 +148,11 @@ cn_result cn_body_set_flags(cn_world *world, cn_body body, uint32_t flags)
 {
 	cni_call call = cni_enter(world, __func__);
 	cni_body *b = cni_check_body(&call, "body", body);
-	uint32_t changed;
 	cni_check_flags(&call, "flags", flags, FLAGS_SETTABLE | CN_BODY_AWAKE);
 	if (call.result != CN_OK)
 		return call.result;
 	flags &= FLAGS_SETTABLE;
-	changed = (b->flags ^ flags) & FLAGS_SETTABLE;
+	uint32_t changed = (b->flags ^ flags) & FLAGS_SETTABLE;
 	if (changed & CN_BODY_ENABLED) {
 		reserve_relink(&call, world, cni_body_index(world, body));
 		if (flags & CN_BODY_ENABLED)

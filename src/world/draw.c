@@ -178,7 +178,6 @@ static void draw_contact(const cn_world *world, const cn_debug_draw *d, int32_t 
 cn_result cn_world_draw(const cn_world *world, const cn_debug_draw *draw)
 {
 	cni_call call = cni_enter_const(world);
-	int32_t k;
 	if (cni_check_def(&call, draw, sizeof *draw, "cn_debug_draw_init")) {
 		cni_check_flags(&call, "flags", draw->flags, CN_DRAW_SHAPES | CN_DRAW_JOINTS | CN_DRAW_CONTACTS | CN_DRAW_AABBS | CN_DRAW_CENTERS | CN_DRAW_ISLANDS);
 		cni_check_finite2(&call, "view.lower_m", draw->view.lower_m);
@@ -186,11 +185,11 @@ cn_result cn_world_draw(const cn_world *world, const cn_debug_draw *draw)
 	}
 	if (call.result != CN_OK)
 		return call.result;
-	for (k = cni_handles_next(&world->body_handles, 0); k != CNI_NONE; k = cni_handles_next(&world->body_handles, k + 1))
+	for (int32_t k = cni_handles_next(&world->body_handles, 0); k != CNI_NONE; k = cni_handles_next(&world->body_handles, k + 1))
 		draw_body(world, draw, k);
-	for (k = cni_handles_next(&world->joint_handles, 0); k != CNI_NONE && (draw->flags & CN_DRAW_JOINTS); k = cni_handles_next(&world->joint_handles, k + 1))
+	for (int32_t k = cni_handles_next(&world->joint_handles, 0); k != CNI_NONE && (draw->flags & CN_DRAW_JOINTS); k = cni_handles_next(&world->joint_handles, k + 1))
 		draw_joint(world, draw, k);
-	for (k = 0; k < world->contact_used && (draw->flags & CN_DRAW_CONTACTS); ++k)
+	for (int32_t k = 0; k < world->contact_used && (draw->flags & CN_DRAW_CONTACTS); ++k)
 		if (cni_contact_at(world, k)->flags & CNI_CONTACT_TOUCHING)
 			draw_contact(world, draw, k);
 	return CN_OK;

@@ -157,10 +157,9 @@ static cn_result list_joints_of(const cn_world *world, cn_body body, int32_t con
 	cni_call call = cni_enter_const(world);
 	const cni_body *b = cni_check_body(&call, "body", body);
 	cni_list list = cni_list_begin(&call, out, capacity, out_count);
-	int32_t key;
 	if (call.result != CN_OK)
 		return call.result;
-	for (key = b->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1])
+	for (int32_t key = b->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1])
 		if (cni_joint_is_constraint(cni_joint_at(world, key >> 1)->type) == constraint)
 			cni_list_add(&list, cni_joint_handle(world, key >> 1));
 	*out_count = list.count;
@@ -171,10 +170,9 @@ static cn_result list_joints(const cn_world *world, int32_t constraint, uint32_t
 {
 	cni_call call = cni_enter_const(world);
 	cni_list list = cni_list_begin(&call, out, capacity, out_count);
-	int32_t k;
 	if (call.result != CN_OK)
 		return call.result;
-	for (k = cni_handles_next(&world->joint_handles, 0); k != CNI_NONE && list.count < capacity; k = cni_handles_next(&world->joint_handles, k + 1))
+	for (int32_t k = cni_handles_next(&world->joint_handles, 0); k != CNI_NONE && list.count < capacity; k = cni_handles_next(&world->joint_handles, k + 1))
 		if (cni_joint_is_constraint(cni_joint_at(world, k)->type) == constraint)
 			cni_list_add(&list, cni_joint_handle(world, k));
 	*out_count = constraint ? world->constraint_count : world->joint_handles.count - world->constraint_count;

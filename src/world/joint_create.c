@@ -131,7 +131,6 @@ static cn_result joint_create(cn_world *world, const char *function, int32_t typ
 	const cni_joint_kind *kind = cni_joint_kind_of(type);
 	const cn_joint_base *base = (const cn_joint_base *)def;
 	int32_t joint;
-	cni_joint *j;
 	cni_check_def(&call, def, kind->bytes, kind->init);
 	cni_check_pointer(&call, "out_joint", out_joint);
 	if (call.result != CN_OK)
@@ -143,7 +142,7 @@ static cn_result joint_create(cn_world *world, const char *function, int32_t typ
 	if (call.result != CN_OK)
 		return call.result;
 	joint = joint_take(world, type, base->flags, cni_handles_find(&world->body_handles, base->body_a), cni_handles_find(&world->body_handles, base->body_b));
-	j = cni_joint_at(world, joint);
+	cni_joint *j = cni_joint_at(world, joint);
 	j->anchor[0] = base->anchor_a_m;
 	j->anchor[1] = base->anchor_b_m;
 	j->user_data = base->user_data;
@@ -160,13 +159,12 @@ static cn_result constraint_create(cn_world *world, const char *function, int32_
 	cni_call call = cni_enter(world, function);
 	constraint_head head = check_constraint(&call, type, def);
 	const cni_body *b = cni_check_body(&call, "body", head.body);
-	int32_t joint;
 	cni_check(&call, b == NULL || b->type == CN_BODY_DYNAMIC, CN_ERROR_ARGUMENT, "body; must be dynamic");
 	cni_check_pointer(&call, "out_constraint", out_constraint);
 	joint_reserve_one(&call, world, 0);
 	if (call.result != CN_OK)
 		return call.result;
-	joint = joint_take(world, type, joint_flags(head.flags) | CN_JOINT_COLLIDE, CNI_NONE, cni_body_index(world, head.body));
+	int32_t joint = joint_take(world, type, joint_flags(head.flags) | CN_JOINT_COLLIDE, CNI_NONE, cni_body_index(world, head.body));
 	cni_joint_def_store(cni_joint_at(world, joint), type, def);
 	cni_joint_turns_begin(world, cni_joint_at(world, joint));
 	cni_joint_link(world, joint);
@@ -214,17 +212,15 @@ static cn_result joint_set(cn_world *world, const char *function, int32_t type, 
 	cni_call call = cni_enter(world, function);
 	cni_joint *j = cni_check_joint_of_type(&call, type, joint);
 	const cn_joint_base *base = (const cn_joint_base *)def;
-	cn_joint_base present;
-	float ratio;
 	cni_check_pointer(&call, "def", def);
 	if (call.result != CN_OK)
 		return call.result;
-	present = base_of(world, j);
+	cn_joint_base present = base_of(world, j);
 	check_def(&call, type, &present, def);
 	cni_joint_change_reserve(&call, world, j);
 	if (call.result != CN_OK)
 		return call.result;
-	ratio = j->p[CNI_P_GEAR_RATIO];
+	float ratio = j->p[CNI_P_GEAR_RATIO];
 	cni_joint_def_store(j, CNI_JOINT_STRENGTH, base);
 	cni_joint_def_store(j, type, def);
 	if (type == CN_JOINT_GEAR && j->p[CNI_P_GEAR_RATIO] != ratio)

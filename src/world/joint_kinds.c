@@ -225,8 +225,7 @@ void cni_joint_def_check(cni_call *call, int32_t type, const void *def)
 {
 	const cni_joint_kind *kind = cni_joint_kind_of(type);
 	float before = 0.0f;
-	int32_t k;
-	for (k = 0; k < kind->field_count; ++k) {
+	for (int32_t k = 0; k < kind->field_count; ++k) {
 		const cni_joint_field *field = kind->fields + k;
 		cn_vec2 value = { 0.0f, 0.0f };
 		if (field->values == USER_DATA)
@@ -246,8 +245,7 @@ void cni_joint_def_check(cni_call *call, int32_t type, const void *def)
 
 static void fields_init(const cni_joint_kind *kind, void *def)
 {
-	int32_t k;
-	for (k = 0; k < kind->field_count; ++k)
+	for (int32_t k = 0; k < kind->field_count; ++k)
 		if (kind->fields[k].values != USER_DATA)
 			memcpy((char *)def + kind->fields[k].in_def, &kind->fields[k].initial, field_bytes(kind->fields + k));
 }
@@ -282,8 +280,7 @@ static void store_axis(cni_joint *j, cn_vec2 axis)
 void cni_joint_def_store(cni_joint *j, int32_t type, const void *def)
 {
 	const cni_joint_kind *kind = cni_joint_kind_of(type);
-	int32_t k;
-	for (k = 0; k < kind->field_count; ++k) {
+	for (int32_t k = 0; k < kind->field_count; ++k) {
 		const cni_joint_field *field = kind->fields + k;
 		memcpy((char *)j + field->in_joint, (const char *)def + field->in_def, field_bytes(field));
 		if (has_default(field))
@@ -301,8 +298,7 @@ void cni_joint_def_store(cni_joint *j, int32_t type, const void *def)
 void cni_joint_def_read(const cni_joint *j, int32_t type, void *def)
 {
 	const cni_joint_kind *kind = cni_joint_kind_of(type);
-	int32_t k;
-	for (k = 0; k < kind->field_count; ++k) {
+	for (int32_t k = 0; k < kind->field_count; ++k) {
 		const cni_joint_field *field = kind->fields + k;
 		memcpy((char *)def + field->in_def, (const char *)j + field->in_joint, field_bytes(field));
 		if (has_default(field))

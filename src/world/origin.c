@@ -21,14 +21,13 @@ static void shift_parts(float *high, float *low, float shift)
 
 static void bodies_shift(cn_world *world, cni_vec2 offset)
 {
-	int32_t k;
-	for (k = cni_handles_next(&world->body_handles, 0); k != CNI_NONE; k = cni_handles_next(&world->body_handles, k + 1)) {
+	for (int32_t k = cni_handles_next(&world->body_handles, 0); k != CNI_NONE; k = cni_handles_next(&world->body_handles, k + 1)) {
 		cni_body *b = cni_body_at(world, k);
 		shift_parts(&b->cx, &b->cx_low, offset.x);
 		shift_parts(&b->cy, &b->cy_low, offset.y);
 		cni_readback_store(world, k);
 	}
-	for (k = 0; k < world->previous.count; ++k) {
+	for (int32_t k = 0; k < world->previous.count; ++k) {
 		cni_previous *p = (cni_previous *)world->previous.data + k;
 		p->x -= offset.x;
 		p->y -= offset.y;
@@ -43,10 +42,9 @@ static void number_pair_shift(float *pair, cni_vec2 offset)
 
 static void joints_shift(cn_world *world, cni_vec2 offset)
 {
-	int32_t k, side;
-	for (k = cni_handles_next(&world->joint_handles, 0); k != CNI_NONE; k = cni_handles_next(&world->joint_handles, k + 1)) {
+	for (int32_t k = cni_handles_next(&world->joint_handles, 0); k != CNI_NONE; k = cni_handles_next(&world->joint_handles, k + 1)) {
 		cni_joint *j = cni_joint_at(world, k);
-		for (side = 0; side < 2; ++side)
+		for (int32_t side = 0; side < 2; ++side)
 			if (j->body[side] == CNI_NONE)
 				j->anchor[side] = cni_sub(j->anchor[side], offset);
 		if (j->type == CN_JOINT_GROOVE && j->body[0] == CNI_NONE)
@@ -62,8 +60,7 @@ static void joints_shift(cn_world *world, cni_vec2 offset)
 /* Rounding may take the margin from a box far from the origin: such a box is made again. */
 static void boxes_shift(cn_world *world, cni_vec2 offset)
 {
-	int32_t k;
-	for (k = 0; k < world->proxy_used; ++k) {
+	for (int32_t k = 0; k < world->proxy_used; ++k) {
 		cni_aabb box = cni_box_moved(cni_proxy_at(world, k)->fat, cni_neg(offset));
 		if (!(cni_proxy_at(world, k)->flags & CNI_PROXY_ALIVE))
 			continue;
@@ -72,7 +69,7 @@ static void boxes_shift(cn_world *world, cni_vec2 offset)
 		world->broadphase_ops->touch(world->broadphase, k);
 	}
 	world->seams_box = cni_box_moved(world->seams_box, cni_neg(offset));
-	for (k = cni_handles_next(&world->body_handles, 0); k != CNI_NONE; k = cni_handles_next(&world->body_handles, k + 1))
+	for (int32_t k = cni_handles_next(&world->body_handles, 0); k != CNI_NONE; k = cni_handles_next(&world->body_handles, k + 1))
 		cni_body_refresh_boxes(world, k);
 	world->pairs_may_repeat |= CNI_PAIRS_ALL;
 	world->broadphase_ops->settle(world->broadphase);

@@ -9,8 +9,7 @@
 
 static void wake_all(cn_world *world)
 {
-	int32_t body;
-	for (body = cni_handles_next(&world->body_handles, 0); body != CNI_NONE; body = cni_handles_next(&world->body_handles, body + 1))
+	for (int32_t body = cni_handles_next(&world->body_handles, 0); body != CNI_NONE; body = cni_handles_next(&world->body_handles, body + 1))
 		cni_body_wake(world, body);
 }
 
@@ -138,8 +137,7 @@ WORLD_GET(user_data, uint64_t, world->user_data)
 /* Only islands of two or more bodies have records; a single dynamic body is an island too. */
 static void count_islands(const cn_world *world, cn_counters *out)
 {
-	int32_t k;
-	for (k = cni_handles_next(&world->body_handles, 0); k != CNI_NONE; k = cni_handles_next(&world->body_handles, k + 1)) {
+	for (int32_t k = cni_handles_next(&world->body_handles, 0); k != CNI_NONE; k = cni_handles_next(&world->body_handles, k + 1)) {
 		const cni_body *b = cni_body_at(world, k);
 		if (b->type != CN_BODY_DYNAMIC || !(b->flags & CN_BODY_ENABLED) || b->island != CNI_NONE)
 			continue;
@@ -147,7 +145,7 @@ static void count_islands(const cn_world *world, cn_counters *out)
 		out->islands_awake += b->awake != 0;
 	}
 	out->islands += world->island_count;
-	for (k = 0; k < world->island_used; ++k) {
+	for (int32_t k = 0; k < world->island_used; ++k) {
 		const cni_island *island = cni_island_at(world, k);
 		out->islands_awake += island->first != CNI_NONE && island->awake;
 		out->islands_direct += island->first != CNI_NONE && island->awake && island->tier == CNI_TIER_DIRECT && !world->direct_failed;
@@ -157,13 +155,12 @@ static void count_islands(const cn_world *world, cn_counters *out)
 
 static void count_contacts(const cn_world *world, cn_counters *out)
 {
-	int32_t color;
 	out->contacts = world->contact_count;
 	out->contacts_awake = world->apart.count;
 	out->contacts_touching = world->touching_count;
-	for (color = 0; color < CNI_COLORS; ++color)
+	for (int32_t color = 0; color < CNI_COLORS; ++color)
 		out->contacts_awake += world->colors[color].lanes;
-	for (color = 0; color < CNI_COLOR_OVERFLOW; ++color)
+	for (int32_t color = 0; color < CNI_COLOR_OVERFLOW; ++color)
 		out->colors_used += world->colors[color].lanes > 0;
 	out->overflow_contacts = world->colors[CNI_COLOR_OVERFLOW].lanes;
 }

@@ -119,13 +119,12 @@ cn_result cn_shape_set_density(cn_world *world, cn_shape shape, float density_kg
 {
 	cni_call call = cni_enter(world, __func__);
 	cni_shape *s = cni_check_shape(&call, "shape", shape);
-	int32_t left;
 	cni_check_at_least(&call, "density_kgpm2", density_kgpm2, 0.0f);
 	if (call.result == CN_OK)
 		cni_check_shape_mass(&call, cni_geometry_mass(cni_shape_geometry(&world->blocks, s), density_kgpm2));
 	if (call.result != CN_OK)
 		return call.result;
-	left = s->body != CNI_NONE && cni_body_shape_leaves(world, s->body, cni_shape_index(world, shape));
+	int32_t left = s->body != CNI_NONE && cni_body_shape_leaves(world, s->body, cni_shape_index(world, shape));
 	s->density = density_kgpm2;
 	if (s->body != CNI_NONE) {
 		if (cni_body_at(world, s->body)->type != CN_BODY_STATIC)

@@ -67,13 +67,12 @@ static shape_source source_edge(cni_call *call, const cn_edge *edge)
 
 static shape_source source_polygon(cni_call *call, const cn_polygon *polygon)
 {
-	int32_t k;
 	cni_check_pointer(call, "polygon", polygon);
 	if (call->result != CN_OK)
 		return source_make(CN_SHAPE_POLYGON, 0, polygon);
 	cni_check_range_int(call, "count", polygon->count, 3, CN_POLYGON_MAX_VERTICES);
 	cni_check_at_least(call, "radius_m", polygon->radius_m, 0.0f);
-	for (k = 0; k < polygon->count && call->result == CN_OK; ++k)
+	for (int32_t k = 0; k < polygon->count && call->result == CN_OK; ++k)
 		cni_check_finite2(call, "points_m", polygon->points_m[k]);
 	if (call->result == CN_OK)
 		cni_check_complaint(call, cni_check_polygon(polygon, call->world->settings.thickness_least), polygon->points_m, polygon->count, 1);
@@ -82,7 +81,6 @@ static shape_source source_polygon(cni_call *call, const cn_polygon *polygon)
 
 static shape_source source_chain(cni_call *call, const cn_chain *chain)
 {
-	int32_t k;
 	cni_check_pointer(call, "chain", chain);
 	cni_check(call, CNI_HAS_CHAINS, CN_ERROR_STATE, "this library was built without chains (CN_NO_CHAINS)");
 	if (call->result != CN_OK)
@@ -90,7 +88,7 @@ static shape_source source_chain(cni_call *call, const cn_chain *chain)
 	cni_check_flags(call, "loop", chain->loop, 1u);
 	cni_check_range_int(call, "count", chain->count, chain->loop ? 3 : 2, 65535);
 	cni_check_pointer(call, "points_m", chain->points_m);
-	for (k = 0; k < chain->count && call->result == CN_OK; ++k)
+	for (int32_t k = 0; k < chain->count && call->result == CN_OK; ++k)
 		cni_check_finite2(call, "points_m", chain->points_m[k]);
 	if (call->result == CN_OK)
 		cni_check_complaint(call, cni_check_chain(chain, call->world->settings.thickness_least), chain->points_m, chain->count, (int32_t)chain->loop);
@@ -182,10 +180,9 @@ static cni_ref shape_prepare(cni_call *call, cn_world *world, const cn_shape_def
 	int32_t shape = cni_handles_peek(&world->shape_handles);
 	cni_ref ref = piece_alloc(call, world, cni_shape_piece_bytes(world, from->type, from->count));
 	cni_transform offset = { cni_sincos(def->angle_rad), def->offset_m };
-	cni_geometry *g;
 	if (ref == 0)
 		return 0;
-	g = (cni_geometry *)cni_blocks_at(&world->blocks, ref);
+	cni_geometry *g = (cni_geometry *)cni_blocks_at(&world->blocks, ref);
 	source_build(g, from, offset);
 	record_fill(call, world, cni_shape_at(world, shape), def, g, ref);
 	cni_check_shape_mass(call, cni_geometry_mass(g, def->density_kgpm2));
@@ -199,13 +196,12 @@ static cni_ref shape_prepare(cni_call *call, cn_world *world, const cn_shape_def
 
 static cn_result shape_create(cni_call *call, cn_world *world, const cn_shape_def *def, shape_source from, cn_shape *out_shape)
 {
-	int32_t shape;
 	check_def(call, def);
 	if (call->result == CN_OK)
 		cni_check_reserved(call, cni_slots_reserve(world, &world->shape_handles, &world->shapes, 1), "shapes");
 	if (call->result != CN_OK || shape_prepare(call, world, def, &from) == 0)
 		return call->result;
-	shape = cni_handles_take(&world->shape_handles);
+	int32_t shape = cni_handles_take(&world->shape_handles);
 	if (def->body != 0) {
 		cni_body_shapes_changed(world, cni_body_index(world, def->body), shape);
 		cni_shape_wake_grown(world, shape);
@@ -282,12 +278,11 @@ static cn_result single_change(cni_call *call, cn_world *world, cn_shape shape, 
 	small_geometry fresh;
 	const cni_shape *s = check_change(call, world, shape, &from);
 	int32_t index = cni_shape_index(world, shape), left;
-	cni_ref ref;
 	if (call->result != CN_OK)
 		return call->result;
 	source_build(&fresh.head, &from, cni_identity());
 	cni_check_shape_mass(call, cni_geometry_mass(&fresh.head, s->density));
-	ref = piece_reserve(call, world, s, from.count);
+	cni_ref ref = piece_reserve(call, world, s, from.count);
 	if (call->result != CN_OK)
 		return call->result;
 	if (s->body != CNI_NONE)
@@ -305,12 +300,10 @@ static cn_result chain_change(cni_call *call, cn_world *world, cn_shape shape, s
 {
 	const cni_shape *s = check_change(call, world, shape, &from);
 	int32_t index = cni_shape_index(world, shape);
-	uint64_t bytes;
-	cni_ref ref;
 	if (call->result != CN_OK)
 		return call->result;
-	bytes = cni_shape_piece_bytes(world, CN_SHAPE_CHAIN, from.count);
-	ref = piece_alloc(call, world, bytes);
+	uint64_t bytes = cni_shape_piece_bytes(world, CN_SHAPE_CHAIN, from.count);
+	cni_ref ref = piece_alloc(call, world, bytes);
 	if (ref == 0)
 		return call->result;
 	source_build((cni_geometry *)cni_blocks_at(&world->blocks, ref), &from, cni_identity());

@@ -33,8 +33,7 @@ static cni_aabb box_of_body(const cn_world *world, const cni_body *b)
 {
 	cni_transform x = cni_body_transform(b);
 	cni_aabb box = cni_aabb_of(x.t, x.t);
-	int32_t shape;
-	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
+	for (int32_t shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
 		cni_aabb next = cni_geometry_bounds(cni_shape_geometry(&world->blocks, cni_shape_at(world, shape)), x);
 		box = shape == b->shape_first ? next : cni_aabb_union(&box, &next);
 	}
@@ -109,11 +108,10 @@ cn_result cn_shape_test_point(const cn_world *world, cn_shape shape, float point
 	cn_vec2 point_m = { point_x_m, point_y_m };
 	cni_call call = cni_enter_const(world);
 	const cni_geometry *g = geometry_of(&call, shape, CNI_NONE, out_inside);
-	int32_t body;
 	cni_check_finite2(&call, "point_m", point_m);
 	if (call.result != CN_OK)
 		return call.result;
-	body = cni_shape_at(world, cni_shape_index(world, shape))->body;
+	int32_t body = cni_shape_at(world, cni_shape_index(world, shape))->body;
 	*out_inside = cni_geometry_contains(g, body != CNI_NONE ? cni_body_to_local(cni_body_at(world, body), point_m) : point_m) != 0;
 	return CN_OK;
 }

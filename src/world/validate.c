@@ -35,8 +35,7 @@ static int32_t body_alive(const cn_world *world, int32_t body)
 
 static void check_room(report *r, const cni_body *b, const cni_shape *s, int32_t child, int32_t proxy)
 {
-	cni_aabb tight;
-	tight = cni_box_fatten(cni_geometry_aabb(cni_shape_geometry(&r->world->blocks, s), child, cni_body_transform(b)), cni_body_room(b));
+	cni_aabb tight = cni_box_fatten(cni_geometry_aabb(cni_shape_geometry(&r->world->blocks, s), child, cni_body_transform(b)), cni_body_room(b));
 	expect(r, cni_aabb_contains(&cni_proxy_at(r->world, proxy)->fat, &tight), "room of body", s->body);
 	if (!(b->flags & CNI_BODY_AHEAD))
 		return;

@@ -158,7 +158,7 @@ static void any_number_of_workers_gives_the_same_bits(void)
 static void scenes_do_not_know_their_workers(void)
 {
 	static const struct { const char *name; int32_t steps; } scenes[] = {
-		{ "pyramid", STEPS / 3 }, { "tumbler_1000", STEPS }, { "rain", STEPS }, { "mixer", STEPS }, { "small_200", STEPS }
+		{ "pyramid", STEPS / 3 }, { "tumbler_1000", STEPS }, { "rain", STEPS }, { "mixer", STEPS }, { "small_200", STEPS }, { "workshop", STEPS }
 	};
 	int32_t k, w;
 	for (k = 0; k < (int32_t)(sizeof scenes / sizeof *scenes); ++k) {
