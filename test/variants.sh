@@ -108,9 +108,10 @@ release() {
 	read_log bindings $?
 }
 
-# Steps with up to 64 simulated workers: the same hash in any order of chunks.
+# Steps with up to 64 simulated workers: the same hash in any order of chunks, and what one worker runs alone.
 schedule() {
-	${MAKE:-make} -s BUILD="$build" "$build/bin/schedule" && "$build/bin/schedule" tumbler smash --steps 5
+	${MAKE:-make} -s BUILD="$build" "$build/bin/schedule" && "$build/bin/schedule" tumbler smash --steps 5 && "$build/bin/schedule" workshop --steps 20 > "$build/schedule.csv" || return 1
+	awk -F, '/^workshop,serial:substeps/ { share = $4 } END { exit !(share > 0 && share < 0.15) }' "$build/schedule.csv" # 0.07; 0.28 where one worker solves all joints
 }
 
 # The shared library exports what the header declares and nothing else.

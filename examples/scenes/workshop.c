@@ -60,24 +60,31 @@ static void add_pendulum(const lot *l)
 	(void)add_row(l, 0, scene_vec(l->x_m, l->y_m + 20.0f), 0.0f, 20.0f, 8 + l->index % 7, 0.5f, 1.0f);
 }
 
-/* A jib of welded boards that a heavy box lands on. */
-static void add_jib(const lot *l)
+/* Welded boards from a wall, to the right (side 1) or to the left (-1). */
+static void add_jib(const lot *l, int32_t side, float wall_x_m, int32_t count)
 {
-	int32_t count = 3 + l->index % 4;
 	cn_body from = 0;
 	for (int32_t i = 0; i < count; ++i) {
-		cn_body board = add_part(l, 0.5f + (float)i, 5.0f, 0.5f, 0.1f, 1.0f);
+		cn_body board = add_part(l, wall_x_m + (float)side * (0.5f + (float)i), 5.0f, 0.5f, 0.1f, 1.0f);
 		cn_joint weld;
 		cn_fixed_def def;
 		cn_fixed_def_init(&def);
 		def.base.body_a = from;
 		def.base.body_b = board;
-		def.base.anchor_a_m = i == 0 ? scene_vec(l->x_m, l->y_m + 5.0f) : scene_vec(0.5f, 0.0f);
-		def.base.anchor_b_m = scene_vec(-0.5f, 0.0f);
+		def.base.anchor_a_m = i == 0 ? scene_vec(l->x_m + wall_x_m, l->y_m + 5.0f) : scene_vec(0.5f * (float)side, 0.0f);
+		def.base.anchor_b_m = scene_vec(-0.5f * (float)side, 0.0f);
 		scene_check(l->run, cn_joint_create_fixed(l->run->world, &def, &weld));
 		from = board;
 	}
-	add_load(l, (float)count - 1.0f, 7.0f, 0.5f, 20.0f);
+}
+
+/* A heavy box lands on the tips of two jibs at once. */
+static void add_jibs(const lot *l)
+{
+	int32_t count = 3 + l->index % 4;
+	add_jib(l, 1, -0.25f - (float)count, count);
+	add_jib(l, -1, 0.25f + (float)count, count);
+	add_load(l, 0.0f, 7.0f, 0.8f, 20.0f);
 }
 
 /* A cart on two driven wheels that drags a chain past boxes. */
@@ -111,7 +118,7 @@ static void add_swing(const lot *l)
 
 void scene_create_workshop(scene_run *run)
 {
-	static void (*const machines[])(const lot *l) = { add_bridge, add_pendulum, add_jib, add_cart, add_swing };
+	static void (*const machines[])(const lot *l) = { add_bridge, add_pendulum, add_jibs, add_cart, add_swing };
 	for (int32_t k = 0; k < run->scene->size; ++k) {
 		lot l = { run, LOT_WIDTH_M * (float)(k % COLUMNS), LOT_HEIGHT_M * (float)(k / COLUMNS), k };
 		cn_shape_def ground = scene_surface(scene_body(run, CN_BODY_STATIC, l.x_m, l.y_m - 0.5f), 1.0f, 0.6f, 0.0f);

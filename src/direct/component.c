@@ -355,10 +355,13 @@ void cni_component_solve(cn_world *world, const cni_solve *s, cni_component *c)
 
 int32_t cni_component_lock(cn_world *world, const cni_solve *s, cni_component *c, float turn)
 {
-	if (c->has_contacts || c->done || c->pending || c->active || !cni_geometric_stiffness_lock(world, s->direct, c, turn * s->inv_h))
+	if (c->has_contacts || c->done || c->pending || !cni_geometric_stiffness_lock(world, s->direct, c, turn * s->inv_h))
 		return 0;
 	cni_sparse_factor(s->direct, c, cni_motions(world));
 	cni_direct_right_sides(world, s, c, 1);
-	cni_component_solve(world, s, c);
+	if (!cni_direct_apply(world, s->direct, c))
+		c->pending = CNI_FAILED_JOINTS;
+	else if (c->active)
+		(void)cni_active_change(world, s, s->direct, c); /* bounds alone: the system of another set has no locks */
 	return 1;
 }

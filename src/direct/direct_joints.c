@@ -371,7 +371,7 @@ static void component_pass(cn_world *world, const cni_solve *s, cni_component *c
 		cni_direct_right_sides(world, s, c, bias);
 		cni_component_solve(world, s, c);
 	}
-	if (bias && c->kind == CNI_NONE)
+	if (bias && c->kind == CNI_NONE && !c->active) /* not arms at their limits, which would throw what lands on them */
 		(void)cni_component_lock(world, s, c, CNI_SNAP_RAD);
 }
 

@@ -347,17 +347,16 @@ void cni_heavy_contacts_solve(cn_world *world, const cni_solve *s, int32_t bias)
 /* ---- bounces ---- */
 
 /* The impulses are no loads: they do not stay in the lanes. */
-static void group_bounce(cn_world *world, const cni_solve *s, cni_heavy_group *g, int32_t argument)
+static void group_bounce(cn_world *world, const cni_solve *s, cni_heavy_group *g, int32_t pass)
 {
 	cni_heavy_pass q;
 	int32_t k, bouncing = 0;
-	(void)argument;
 	for (k = g->begin; k < g->end; ++k)
 		bouncing |= s->direct->heavies[k].is_hit && cni_heavy_bounces(&s->direct->heavies[k]);
 	if (!bouncing || s->direct->components[g->component].done)
 		return;
 	cni_heavy_pass_open(&q, world, s, s->direct, g);
-	q.pass = PASS_BOUNCE;
+	q.pass = pass;
 	for (k = 0; k < q.count; ++k) {
 		memset(q.points[k].j, 0, sizeof q.points[k].j);
 		memset(q.points[k].first, 0, sizeof q.points[k].first);
@@ -371,7 +370,7 @@ static void group_bounce(cn_world *world, const cni_solve *s, cni_heavy_group *g
 
 void cni_heavy_contacts_bounce(cn_world *world, const cni_solve *s)
 {
-	groups_run(world, s, NULL, group_bounce, 0); /* they share sums of impulses */
+	groups_run(world, s, NULL, group_bounce, PASS_BOUNCE); /* they share sums of impulses */
 	for (int32_t k = 0; k < s->direct->heavy_count; ++k)
 		if (!s->direct->heavies[k].is_left)
 			*cni_heavy_restitution(world, s->direct->heavies[k].contact) = s->direct->heavies[k].restitution;

@@ -247,10 +247,12 @@ static void build_cantilever(scene *s)
 		add_weld(s, previous, board, x, y);
 		previous = board;
 	}
-	for (k = 0; k < boxes; ++k) {
+	for (k = 0, y += thin; k < boxes; ++k) {
 		double size = pick(s, 0.2, 0.6), x = pick(s, 0.5, 1.0) * length, fall = pick(s, 0.1, 3.0);
 		set_mass(s, 4.0 * half * thin * pick_log(s, 1.0, 1000.0), 4.0 * size * size);
-		add_box(s, CN_BODY_DYNAMIC, x, y + thin + size + fall + 1.4 * (double)k, 0.0, size, size);
+		y += fall + size;
+		add_box(s, CN_BODY_DYNAMIC, x, y, 0.0, size, size);
+		y += size;
 	}
 	s->density = 1.0;
 	add_floor(s);

@@ -424,6 +424,8 @@ static void build_robot(scene *s)
 		x += cos(at);
 		y += sin(at);
 		at += pick(s, -0.6, 0.6);
+		if (y + sin(at) < 0.5) /* above the floor */
+			at = -at;
 		last = made;
 	}
 	k = add_block(s, x, y, 0.2, mass * load);
@@ -531,7 +533,7 @@ static void build_tow(scene *s)
 		s->motor_max = 0.0;
 	}
 	for (k = 0; k < sledges; ++k) {
-		double hook = k == 0 ? x - 1.0 : x - 0.8, up = k == 0 ? 0.6 : 0.15;
+		double hook = k == 0 ? x - 1.2 : x - 0.8, up = k == 0 ? 0.6 : 0.15;
 		int32_t boxes = pick_int(s, 0, 3), sledge, i;
 		x = hook - 0.8 - 0.8;
 		set_mass(s, pick_log(s, 1.0, ratio), 0.48);
