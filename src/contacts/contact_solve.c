@@ -82,10 +82,9 @@ static void colors_run(cn_world *world, const cni_solve *s, int32_t which)
 static cni_listed_block listed_of(const cn_world *world, int32_t block, int32_t lanes)
 {
 	cni_block_info *info = cni_block_info_at(world, block);
-	cni_listed_block listed = { .rows = cni_block_at(world, block), .info = info, .lanes = (cni_listed_number)cni_min_i(lanes, CNI_LANES) };
-	listed.extra = info->flags & CNI_BLOCK_EXTRA ? cni_block_extra_at(world, block) : NULL;
-	listed.fresh = info->fresh_step == world->step_count + 1u ? info->fresh : (cni_listed_bits)0;
-	listed.kind = (cni_listed_number)((info->flags & CNI_BLOCK_RESTED ? CNI_CONTACTS_RESTED : 0) | (info->color >= CNI_COLOR_STATIC ? CNI_CONTACTS_ONE_SIDED : 0));
+	int32_t kind = (info->flags & CNI_BLOCK_RESTED ? CNI_CONTACTS_RESTED : 0) | (info->color >= CNI_COLOR_STATIC ? CNI_CONTACTS_ONE_SIDED : 0);
+	cni_listed_block listed = { cni_block_at(world, block), info->flags & CNI_BLOCK_EXTRA ? cni_block_extra_at(world, block) : NULL, info,
+		info->fresh_step == world->step_count + 1u ? info->fresh : (cni_listed_bits)0, 0, (cni_listed_number)cni_min_i(lanes, CNI_LANES), (cni_listed_number)kind };
 	return listed;
 }
 

@@ -41,12 +41,10 @@ static cn_material mix_by_rules(const cn_material *a, const cn_material *b)
 {
 	int32_t friction_rule = cni_max_i(a->friction_mix, b->friction_mix);
 	int32_t restitution_rule = cni_max_i(a->restitution_mix, b->restitution_mix);
-	cn_material m = { .friction_mix = friction_rule, .restitution_mix = restitution_rule };
-	m.static_friction = mix(friction_rule, a->static_friction, b->static_friction);
-	m.dynamic_friction = cni_min(mix(friction_rule, a->dynamic_friction, b->dynamic_friction), m.static_friction);
-	m.restitution = mix(restitution_rule, a->restitution, b->restitution);
-	m.rolling_resistance = cni_max(a->rolling_resistance, b->rolling_resistance);
-	m.tangent_speed_mps = a->tangent_speed_mps + b->tangent_speed_mps;
+	float sticking = mix(friction_rule, a->static_friction, b->static_friction);
+	float sliding = cni_min(mix(friction_rule, a->dynamic_friction, b->dynamic_friction), sticking);
+	cn_material m = { sticking, sliding, mix(restitution_rule, a->restitution, b->restitution), cni_max(a->rolling_resistance, b->rolling_resistance),
+		a->tangent_speed_mps + b->tangent_speed_mps, friction_rule, restitution_rule, 0 };
 	return m;
 }
 
