@@ -47,10 +47,10 @@ static void components_range(void *context, int32_t begin, int32_t end)
 		l->fn(l->world, l->s, &l->s->direct->components[l->s->direct->alone[k]], l->argument);
 }
 
-void cni_components_run(cn_world *world, const cni_solve *s, cni_team *team, int32_t min_range, cni_component_fn *fn, int32_t argument)
+void cni_components_run(cn_world *world, const cni_solve *s, cni_team *team, cni_component_fn *fn, int32_t argument)
 {
 	component_loop l = { world, s, fn, argument };
-	cni_team_for(s->direct->alone_work >= SHARED_WORK_AWAKE ? team : NULL, s->direct->shared_count, min_range, components_range, &l);
+	cni_team_for(s->direct->alone_work >= SHARED_WORK_AWAKE ? team : NULL, s->direct->shared_count, 1, components_range, &l);
 	components_range(&l, s->direct->shared_count, s->direct->alone_count);
 }
 

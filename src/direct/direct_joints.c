@@ -16,8 +16,6 @@
 
 #include <string.h>
 
-#define COMPONENTS_A_RANGE 4
-
 /* ---- the components of a step ---- */
 
 /* Work of a step, in the units of work_budget. */
@@ -325,7 +323,7 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 	}
 	cni_tree_batches_make(world, s, out);
 	cni_components_list(out);
-	cni_components_run(world, s, cni_components_team(world, out, 1), COMPONENTS_A_RANGE, pending_begin, 0);
+	cni_components_run(world, s, cni_components_team(world, out, 1), pending_begin, 0);
 	cni_direct_contacts_extract(world, out);
 	if (CNI_ON(JOINT_PROJECTION))
 		cni_projection_mark(world, out);
@@ -380,7 +378,7 @@ void cni_direct_solve(cn_world *world, const cni_solve *s, int32_t bias)
 	if (s->direct == NULL)
 		return;
 	cni_tree_batches_run(world, s, bias ? CNI_TREES_SOLVE : CNI_TREES_RELAX);
-	cni_components_run(world, s, s->team, 1, component_pass, bias);
+	cni_components_run(world, s, s->team, component_pass, bias);
 	cni_components_give_up(world, s);
 	cni_heavy_contacts_solve(world, s, bias);
 }

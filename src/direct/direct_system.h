@@ -62,7 +62,7 @@ typedef void cni_component_fn(cn_world *world, const cni_solve *s, cni_component
 /* Lists those that are solved alone in this step. */
 void cni_components_list(cni_sparse *sparse);
 /* Calls fn for each of them. fn writes what belongs to the component alone, and `pending` where something is left to do after the loop. */
-void cni_components_run(cn_world *world, const cni_solve *s, cni_team *team, int32_t min_range, cni_component_fn *fn, int32_t argument);
+void cni_components_run(cn_world *world, const cni_solve *s, cni_team *team, cni_component_fn *fn, int32_t argument);
 /* cni_component_give_up of each of them. */
 void cni_components_give_up(cn_world *world, const cni_solve *s);
 

@@ -49,7 +49,8 @@ static uint64_t work_bytes(const cni_sparse *sparse, int32_t begin, int32_t end)
 	return CNI_HEAVY_POINT_BYTES * (uint64_t)(end - begin) + sizeof(float) * (uint64_t)cni_heavy_half_floats(end - begin, c->end - c->begin);
 }
 
-/* Chains the groups of each island: two of them may have a free body in common. islands 0: all groups. last: by island, and one more. */
+/* Chains the groups of each island: two of them may have a free body in common. Those that workers share come first. islands 0: all groups.
+   last: by island, and one more. */
 static void groups_chain(const cn_world *world, cni_sparse *sparse, int32_t islands, int32_t *last)
 {
 	for (int32_t k = 0; k <= islands; ++k)
@@ -59,6 +60,15 @@ static void groups_chain(const cn_world *world, cni_sparse *sparse, int32_t isla
 		int32_t number = islands > 0 ? cni_awake_island_number(world, sparse->bodies[c->body_begin]) : 0, *of = &last[number == CNI_NONE ? islands : number];
 		*(*of == CNI_NONE ? &sparse->heavy_chains[sparse->heavy_chain_count++] : &sparse->heavy_groups[*of].next) = k;
 		*of = k;
+	}
+	for (int32_t k = 0; k < sparse->heavy_chain_count; ++k) {
+		int32_t chain = sparse->heavy_chains[k], serial = 0; /* 1: a component is at a kinematic body, whose rotation it shares */
+		for (int32_t g = chain; g != CNI_NONE; g = sparse->heavy_groups[g].next)
+			serial |= sparse->components[sparse->heavy_groups[g].component].meets_kinematic;
+		if (serial)
+			continue;
+		sparse->heavy_chains[k] = sparse->heavy_chains[sparse->heavy_shared_count];
+		sparse->heavy_chains[sparse->heavy_shared_count++] = chain;
 	}
 }
 
@@ -101,28 +111,22 @@ typedef struct chain_loop {
 	const cni_solve *s;
 	group_fn *fn;
 	int32_t argument;
-	int32_t serial; /* 1: chains at kinematic bodies, whose rotations their components share; 0: all others */
 } chain_loop;
 
 static void chains_range(void *context, int32_t begin, int32_t end)
 {
 	const chain_loop *l = (const chain_loop *)context;
 	const cni_sparse *sparse = l->s->direct;
-	for (int32_t k = begin; k < end; ++k) {
-		int32_t g, serial = 0;
-		for (g = sparse->heavy_chains[k]; g != CNI_NONE; g = sparse->heavy_groups[g].next)
-			serial |= sparse->components[sparse->heavy_groups[g].component].meets_kinematic;
-		for (g = sparse->heavy_chains[k]; serial == l->serial && g != CNI_NONE; g = sparse->heavy_groups[g].next)
+	for (int32_t k = begin; k < end; ++k)
+		for (int32_t g = sparse->heavy_chains[k]; g != CNI_NONE; g = sparse->heavy_groups[g].next)
 			l->fn(l->world, l->s, &sparse->heavy_groups[g], l->argument);
-	}
 }
 
 static void groups_run(cn_world *world, const cni_solve *s, cni_team *team, group_fn *fn, int32_t argument)
 {
-	chain_loop l = { world, s, fn, argument, 0 };
-	cni_team_for(team, s->direct->heavy_chain_count, 1, chains_range, &l);
-	l.serial = 1;
-	chains_range(&l, 0, s->direct->heavy_chain_count);
+	chain_loop l = { world, s, fn, argument };
+	cni_team_for(team, s->direct->heavy_shared_count, 1, chains_range, &l);
+	chains_range(&l, s->direct->heavy_shared_count, s->direct->heavy_chain_count);
 	for (int32_t k = 0; k < s->direct->heavy_group_count; ++k)
 		cni_component_give_up(world, s->direct, &s->direct->components[s->direct->heavy_groups[k].component]);
 }

@@ -198,7 +198,7 @@ static int32_t projections_run(cn_world *world, const cni_solve *s, int32_t roun
 	int32_t k, opening = 0;
 	projections_select(s->direct, round);
 	cni_tree_batches_run(world, s, CNI_TREES_PROJECT);
-	cni_components_run(world, s, s->team, 1, component_project, 0);
+	cni_components_run(world, s, s->team, component_project, 0);
 	cni_components_give_up(world, s);
 	for (k = 0; k < s->direct->component_count; ++k) {
 		cni_projection *p = &s->direct->projections[k];

@@ -36,8 +36,6 @@
 
 #include <string.h>
 
-#define COMPONENTS_A_RANGE 2
-
 /* ---- which components ---- */
 
 /* 1: no row but the rigid ones, or that of a rope, can act in this step. */
@@ -637,7 +635,7 @@ static void component_end(cn_world *world, const cni_solve *s, cni_component *c)
 /* Workers share the first attempts; retries share the work of the step, in order. */
 void cni_rattle_run(cn_world *world, const cni_solve *s)
 {
-	cni_components_run(world, s, cni_components_team(world, s->direct, s->substeps), COMPONENTS_A_RANGE, component_begin, 0);
+	cni_components_run(world, s, cni_components_team(world, s->direct, s->substeps), component_begin, 0);
 	for (int32_t k = 0; k < s->direct->component_count; ++k)
 		if (s->direct->components[k].uses_rattle && s->direct->components[k].pending)
 			component_end(world, s, &s->direct->components[k]);

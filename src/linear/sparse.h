@@ -154,7 +154,7 @@ typedef struct cni_sparse {
 	struct cni_heavy_group *heavy_groups;  /* ... by component */
 	int32_t heavy_group_count;
 	int32_t *heavy_chains;                 /* ... the first group of each island */
-	int32_t heavy_chain_count;
+	int32_t heavy_chain_count, heavy_shared_count; /* ... of which workers share the first */
 	cni_motion *saved;            /* by index in bodies */
 	float *pull;                  /* by dense body: sum(r.f) of its joints; direct/geometric_stiffness.c */
 	cni_rot *turn;                /* by dense body: rotation since the step began */

@@ -384,6 +384,19 @@ static void a_strong_motor_drives_a_lift(void)
 	scene_close(&s);
 }
 
+/* The widest gap of its joints in so many steps, m. Closes the scene. */
+static double gap_of_run(scene *s, int32_t steps)
+{
+	double gap = 0.0;
+	int32_t k;
+	for (k = 0; k < steps; ++k) {
+		fixture_step(s->world, 1);
+		gap = fmax(gap, worst_joint_error(s->world));
+	}
+	scene_close(s);
+	return gap;
+}
+
 /* A ball of 200 to 800 times the mass of a link swings on a chain into a wall of boxes: contacts push the ball up, and the chain, which is
    almost straight, into itself. Without locks links turn by a radian within a substep, and in 7 of these 18 scenes joints open by up to 1 m.
    Returns the widest gap, m. */
@@ -392,7 +405,6 @@ static double gap_at_wall(int32_t links, float speed, float ratio)
 	scene s = scene_open(GRAVITY, 0, CN_SOLVER_AUTO);
 	float link = 7.0f / (float)links, spin = speed / 7.0f, lean = -0.15f;
 	cn_body last = 0;
-	double gap = 0.0;
 	int32_t k, i;
 	(void)fixture_floor(s.world, 0.6f, 0.0f);
 	for (k = 0; k <= links; ++k) {
@@ -408,12 +420,7 @@ static double gap_at_wall(int32_t links, float speed, float ratio)
 	for (i = 0; i < 5; ++i)
 		for (k = 0; k < 4; ++k)
 			(void)weighing(&s, fixture_box(s.world, CN_BODY_DYNAMIC, 0.9f + 0.6f * (float)k, 0.3f + 0.6f * (float)i, 0.0f, 0.3f, 0.3f, 0.6f, 0.0f), 4.0f);
-	for (k = 0; k < 60; ++k) {
-		fixture_step(s.world, 1);
-		gap = fmax(gap, worst_joint_error(s.world));
-	}
-	scene_close(&s);
-	return gap;
+	return gap_of_run(&s, 60);
 }
 
 static void chains_hold_balls_that_hit_walls(void)
@@ -426,10 +433,10 @@ static void chains_hold_balls_that_hit_walls(void)
 	CHECK_LE("gap in a chain whose ball hits a wall", gap, 0.05, "m");
 }
 
-/* Links of 34 g from (x, y) on, the last at (x - 0.8, to). Returns it; its far end is at (-half, 0). */
-static cn_body tow_chain(scene *s, cn_body from, float x, float y, float to)
+/* Links of 34 g from (x, y) on one body to (x - 0.8, 0.15), where a sledge has its right end. */
+static void tow_chain(scene *s, cn_body from, float x, float y, cn_body sledge)
 {
-	float fall = 0.25f * (y - to), half = 0.5f * hypotf(0.2f, fall), angle = atan2f(fall, 0.2f);
+	float fall = 0.25f * (y - 0.15f), half = 0.5f * hypotf(0.2f, fall), angle = atan2f(fall, 0.2f);
 	cn_vec2 hook;
 	int32_t k;
 	must(cn_body_get_local_point(s->world, from, x, y, &hook), s->world, "cn_body_get_local_point");
@@ -442,7 +449,7 @@ static cn_body tow_chain(scene *s, cn_body from, float x, float y, float to)
 		from = link;
 		hook = at(-half, 0.0f);
 	}
-	return from;
+	pin(s, from, hook, sledge, at(0.8f, 0.0f));
 }
 
 /* A cart of 40 kg with driven wheels tows sledges with heavier boxes on them over bumps by straight chains. Motors are in the system of its joints.
@@ -451,7 +458,6 @@ static double gap_of_tow(float speed, int32_t sledges, float mass)
 {
 	scene s = scene_open(GRAVITY, 0, CN_SOLVER_AUTO);
 	cn_body last = weighing(&s, fixture_box(s.world, CN_BODY_DYNAMIC, 0.0f, 0.9f, 0.0f, 1.0f, 0.4f, 0.6f, 0.0f), 30.0f);
-	double gap = 0.0;
 	int32_t k, i;
 	(void)fixture_floor(s.world, 0.6f, 0.0f);
 	for (k = 0; k < 8; ++k)
@@ -466,18 +472,13 @@ static double gap_of_tow(float speed, int32_t sledges, float mass)
 	}
 	for (k = 0; k < sledges; ++k) {
 		float hook = k == 0 ? -1.2f : -1.2f - 2.4f * (float)k, x = hook - 1.6f;
-		cn_body link = tow_chain(&s, last, hook, k == 0 ? 0.6f : 0.15f, 0.15f);
-		last = weighing(&s, fixture_box(s.world, CN_BODY_DYNAMIC, x, 0.15f, 0.0f, 0.8f, 0.15f, 0.6f, 0.0f), mass);
-		pin(&s, link, at(k == 0 ? -0.5f * hypotf(0.2f, 0.1125f) : -0.1f, 0.0f), last, at(0.8f, 0.0f));
+		cn_body sledge = weighing(&s, fixture_box(s.world, CN_BODY_DYNAMIC, x, 0.15f, 0.0f, 0.8f, 0.15f, 0.6f, 0.0f), mass);
+		tow_chain(&s, last, hook, k == 0 ? 0.6f : 0.15f, sledge);
+		last = sledge;
 		for (i = 0; i < 2; ++i)
 			(void)weighing(&s, fixture_box(s.world, CN_BODY_DYNAMIC, x, 0.5f + 0.4f * (float)i, 0.0f, 0.2f, 0.2f, 0.6f, 0.0f), 3.0f * mass);
 	}
-	for (k = 0; k < 210; ++k) {
-		fixture_step(s.world, 1);
-		gap = fmax(gap, worst_joint_error(s.world));
-	}
-	scene_close(&s);
-	return gap;
+	return gap_of_run(&s, 210);
 }
 
 /* Without locks in components with motors 10 of these chains open by 0.18 to 0.6 m. */
