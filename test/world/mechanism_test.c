@@ -481,7 +481,7 @@ static double gap_of_tow(float speed, int32_t sledges, float mass)
 	return gap_of_run(&s, 210);
 }
 
-/* Without locks in components with motors 10 of these chains open by 0.18 to 0.6 m. */
+/* Without locks in components with motors 9 of these chains open by 0.14 to 1.1 m. */
 static void driven_carts_tow_by_light_chains(void)
 {
 	double gap = 0.0;
