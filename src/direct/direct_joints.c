@@ -34,18 +34,13 @@ static int32_t is_requested(const cn_world *world, const cni_sparse *sparse, con
 	return island != CNI_NONE && cni_island_at(world, island)->joints_solver == CN_SOLVER_DIRECT;
 }
 
-/* One row of parts between two fixed ends. */
-static int32_t is_row(const cni_component *c, int32_t held)
-{
-	return held == 2 && c->end - c->begin == c->body_end - c->body_begin + 1;
-}
-
-/* Pins and rods alone, and welds where it is a row. */
+/* Pins and rods alone, and welds where it is one row of parts between two fixed ends. */
 static int32_t may_be_straight(const cn_world *world, const cni_sparse *sparse, const cni_component *c, int32_t fixed)
 {
+	int32_t is_row = fixed == 2 && c->end - c->begin == c->body_end - c->body_begin + 1;
 	for (int32_t k = c->begin; k < c->end; ++k) {
 		int32_t type = cni_joint_constraints(world)[sparse->nodes[k].owner].record->type;
-		if (sparse->nodes[k].rows != 2 && type != CN_JOINT_DISTANCE && !(is_row(c, fixed) && type == CN_JOINT_FIXED))
+		if (sparse->nodes[k].rows != 2 && type != CN_JOINT_DISTANCE && !(is_row && type == CN_JOINT_FIXED))
 			return 0;
 	}
 	return 1;
@@ -85,25 +80,23 @@ static int32_t was_soft(const cn_world *world, const cni_sparse *sparse, const c
  * A long row of pins or rods between fixed bodies, such as a bridge between two walls, may be so straight that no force can hold it: rigid
  * joints explode there when contacts, springs, motors or the mouse load it, or when they are to close what soft ones have opened (RATTLE finds
  * that no motion does). Trees have no such configurations, nor have loops with gears. A loop of few bodies stays exact (CNI_LOOP_BODIES), and so
- * does a loop of moving bodies alone, such as a scissor lift, unless it was soft and is still open, or most of its bodies touch something, more
- * than contacts can know its joints (direct/heavy_contacts.c): the links of a caterpillar track would be pressed into wheels. Contacts come and
+ * does a loop of moving bodies alone, such as a scissor lift, unless most of its bodies touch something, more than contacts can know its joints
+ * (direct/heavy_contacts.c): the links of a caterpillar track would be pressed into wheels. Contacts come and
  * go: a loop that closed its joints whenever a body on it bounces would throw the body. So the loop stays soft for the longest span of a trust:
  * of 80 seeds of the family `bridge`, when all bridges were soft, 8 were worse than soft constraints with 32 steps, 3 with 128, 2 with 256.
  */
-static int32_t loop_is_better_soft(const cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c)
+static int32_t loop_is_better_soft(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
-	int32_t touched = c->touched, opened, fixed, bodies = c->body_end - c->body_begin;
-	if (!CNI_ON(SOFT_LOOPS) || world->settings.solver != CN_SOLVER_AUTO || !c->loops || c->has_contacts || bodies == 0 || is_requested(world, sparse, c))
-		return 0;
-	opened = was_soft(world, sparse, c) && is_open(world, s, sparse, c);
-	if (touched == 0 && c->uses_rattle)
+	int32_t fixed, bodies = c->body_end - c->body_begin;
+	if (!CNI_ON(SOFT_LOOPS) || world->settings.solver != CN_SOLVER_AUTO || !c->loops || c->has_contacts || c->touched == 0 || bodies == 0 ||
+	    is_requested(world, sparse, c))
 		return 0;
 	fixed = cni_component_held(world, sparse, c);
 	if (!may_be_straight(world, sparse, c, fixed))
 		return 0;
 	if (fixed > 1)
-		return opened || !cni_component_is_braced(c, fixed);
-	return opened || (2 * touched > bodies && touched > cni_heavy_contacts_most(sparse, c));
+		return !cni_component_is_braced(c, fixed);
+	return 2 * c->touched > bodies && c->touched > cni_heavy_contacts_most(sparse, c);
 }
 
 /* Contacts between two of its bodies are scaled twice. */
@@ -156,31 +149,12 @@ static int32_t is_torn(const cn_world *world, const cni_sparse *sparse, const cn
 	return !c->has_contacts && widest_gap(world, sparse, c) > CNI_JOINT_TORN * world->settings.length_unit;
 }
 
-/* A row between two fixed ends that may be too straight to close. It is soft until it is closed, also when something touches it meanwhile
-   (was_soft). */
-static int32_t is_open_row(const cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c)
+/* A loop that has opened, as one that was soft, or put together so, or moved by force. To close it exact joints would straighten a row between fixed
+   ends that no force can hold then, lift the load of a net whose ropes are too long, or throw what lies on a bridge. Where something loads it, or
+   drives it, it stays soft for the longest span of a trust, as joints that are closed to the last millimetre still contradict each other. */
+static int32_t is_open_loop(const cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c)
 {
-	return c->uses_rattle && is_row(c, cni_component_held(world, sparse, c)) && is_open(world, s, sparse, c);
-}
-
-/* A net of ropes that are too long: exact ones would lift its load by all that they are, and let other parts of the net go slack. */
-static int32_t is_stretched_net(const cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c)
-{
-	return c->has_ropes && c->loops && !c->has_contacts && is_open(world, s, sparse, c);
-}
-
-/* Soft ropes keep their impulses, but for those that were solved directly in the last step. */
-static void net_release(cn_world *world, cni_sparse *sparse, cni_component *c)
-{
-	int32_t k, direct = 0;
-	for (k = c->begin; k < c->end; ++k) {
-		cni_joint_trust *t = &cni_joint_at(world, cni_joint_constraints(world)[sparse->nodes[k].owner].joint)->trust;
-		direct |= t->direct;
-		t->direct = 0;
-	}
-	if (direct)
-		impulses_soften(world, sparse, c);
-	cni_component_release(world, sparse, c);
+	return c->loops && !c->has_contacts && (c->uses_rattle || c->has_ropes || was_soft(world, sparse, c)) && is_open(world, s, sparse, c);
 }
 
 /* Is the joint beyond a limit under thousands of weights? */
@@ -303,15 +277,13 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 		c->regular = c->has_contacts ? CNI_REGULARIZATION_CONTACTS : c->loops ? CNI_REGULARIZATION_LOOPS : 0.0f;
 		bodies_look(world, out, c);
 		c->uses_rattle = CNI_ON(RATTLE) && !c->has_contacts && cni_component_uses_rattle(world, s, out, c);
-		if (is_stretched_net(world, s, out, c)) {
-			net_release(world, out, c);
-		} else if (is_torn(world, out, c)) {
+		if (is_torn(world, out, c)) {
 			impulses_soften(world, out, c);
 			cni_component_release(world, out, c);
-		} else if (is_open_row(world, s, out, c))
-			soften_for(world, out, c, 1);
-		else if (is_contradictory(world, out, c) || loop_is_better_soft(world, s, out, c))
+		} else if (is_contradictory(world, out, c) || loop_is_better_soft(world, out, c))
 			soften_for(world, out, c, CNI_TRUST_MOST);
+		else if (is_open_loop(world, s, out, c))
+			soften_for(world, out, c, c->uses_rattle ? 1 : CNI_TRUST_MOST);
 		else if (is_ill_scaled(world, s, out, c))
 			soften_for(world, out, c, 0);
 		else if (c->body_begin == c->body_end)

@@ -183,8 +183,9 @@ CNI_TUNING_FLOAT(CNI_DIRECT_LEAK, 1e-5f)
 /* Length units. Joints that are open by more are soft, with those that are joined to them. With 0.12 ropes over pegs that were torn in an impact
    open by 13% more, as they are soft under their loads and stay open. */
 CNI_TUNING_FLOAT(CNI_JOINT_TORN, 0.25f)
-/* Length units a second squared, times the square of a substep, as what soft joints leave open: 2 mm at 240 substeps a second. A loop, or an ill
-   scaled tree, that was soft stays so while a joint is open by more: of a straight bridge, closing many small gaps takes away all of its sag. */
+/* Length units a second squared, times the square of a substep, as what soft joints leave open: 2 mm at 240 substeps a second. A loop
+   (is_open_loop), or an ill scaled tree that was soft, is soft while a joint is open by more: of a straight bridge, closing many small gaps takes
+   away all of its sag. */
 CNI_TUNING_FLOAT(CNI_LOOP_OPEN, 115.0f)
 /* Most bodies a loop between fixed ones that stay exact under contacts. Exact straight rows are thrown from about 60 planks on: what sags by a hair
    bears any load, and rounding grows with their length. */

@@ -184,7 +184,7 @@ static void build_ferris(scene *s)
 		set_mass(s, board * pick_log(s, 1.0, load), 0.1);
 		gondola = add_box(s, CN_BODY_DYNAMIC, x, up - 1.0, 0.0, 0.25, 0.1);
 		add_pin(s, rim, gondola, x, up);
-		if (chance(s, 0.3)) {
+		if (chance(s, 0.7) && sin(at) < -0.6) { /* above, it would begin in a rim or a spoke */
 			s->group = 0;
 			add_block(s, x, up - 0.75, 0.15, board * pick_log(s, 1.0, load));
 			s->group = -1;
@@ -225,7 +225,7 @@ static void build_excavator(scene *s)
 	s->motor_max = 0.0;
 	s->group = 0;
 	for (k = 0; k < lumps; ++k) {
-		double half = pick(s, 0.12, 0.3), x = -1.0 + 0.7 * (double)(k % 10), up = 0.4 + 0.7 * (double)(k / 10);
+		double half = pick(s, 0.12, 0.3), x = -2.3 + 0.65 * (double)(k % 17), up = 0.4 + 0.7 * (double)(k / 17); /* below the bucket */
 		set_mass(s, pick_log(s, 0.3, 0.3 * ratio), 4.0 * half * half);
 		if (chance(s, 0.5))
 			add_disc(s, CN_BODY_DYNAMIC, x, up, half);
@@ -380,7 +380,7 @@ static void build_belt(scene *s)
 		add_pin(s, WORLD, drum, 0.5 * (double)k * length, y);
 		s->motor_max = 0.0;
 	}
-	add_box(s, CN_BODY_STATIC, 0.0, y + radius - thin - 0.06, 0.0, 0.5 * length - 0.2, 0.05); /* a bed */
+	add_box(s, CN_BODY_STATIC, 0.0, y + radius - thin - 0.06, 0.0, 0.5 * length - 0.5, 0.05); /* a bed, clear of the drums */
 	s->density = 1.0;
 	for (k = 0; k < count; ++k) {
 		int32_t next = (k + 1) % count, made = add_bar(s, path_x[k], path_y[k], path_x[next], path_y[next], thin);
