@@ -269,13 +269,22 @@ static void set_base(const scene *s, cn_joint_base *base, const scene_joint *joi
 		base->flags |= CN_JOINT_LIMIT;
 	if (s->motor_max > 0.0)
 		base->flags |= CN_JOINT_MOTOR;
+	if (s->joint_hertz > 0.0) {
+		base->stiffness_hertz = (float)s->joint_hertz;
+		base->stiffness_damping_ratio = 0.5f;
+	}
+	if (s->joint_force > 0.0)
+		base->force_max_N = base->torque_max_Nm = (float)s->joint_force;
 }
 
 static void keep_joint(scene *s, const scene_joint *joint, cn_result result)
 {
 	check(s, result);
 	s->joints = grown(s->joints, s->joint_count, &s->joint_capacity, sizeof *s->joints);
-	s->joints[s->joint_count++] = *joint;
+	s->joints[s->joint_count] = *joint;
+	if (s->joint_hertz > 0.0 || s->joint_force > 0.0)
+		s->joints[s->joint_count].type = -1; /* may open */
+	++s->joint_count;
 	if (joint->a != WORLD && (s->joint_flags & CN_JOINT_COLLIDE) == 0) {
 		uint32_t a = (uint32_t)(joint->a < joint->b ? joint->a : joint->b), b = (uint32_t)(joint->a < joint->b ? joint->b : joint->a);
 		s->apart = grown(s->apart, s->apart_count, &s->apart_capacity, sizeof *s->apart);
@@ -444,4 +453,51 @@ void add_pulley(scene *s, int32_t a, int32_t b, double gax, double gay, double g
 	def.ratio = (float)ratio;
 	def.length_m = (float)joint.length;
 	keep_joint(s, &joint, cn_joint_create_pulley(s->world, &def, &joint.handle));
+}
+
+void add_groove(scene *s, int32_t a, int32_t b, double x, double y, double end_x, double end_y)
+{
+	scene_joint joint = begin_joint(s, CN_JOINT_GROOVE, a, b, x, y, x, y);
+	cn_groove_def def;
+	set_axis(s, &joint, end_x - x, end_y - y);
+	cn_groove_def_init(&def);
+	set_base(s, &def.base, &joint);
+	joint.lower = 0.0;
+	joint.upper = hypot(end_x - x, end_y - y);
+	def.end_m.x = (float)(joint.ax + joint.upper * joint.axis_x);
+	def.end_m.y = (float)(joint.ay + joint.upper * joint.axis_y);
+	keep_joint(s, &joint, cn_joint_create_groove(s->world, &def, &joint.handle));
+}
+
+void add_ratchet(scene *s, int32_t a, int32_t b, double click)
+{
+	scene_joint joint = begin_joint(s, CN_JOINT_RATCHET, a, b, 0.0, 0.0, 0.0, 0.0);
+	cn_ratchet_def def;
+	cn_ratchet_def_init(&def);
+	set_base(s, &def.base, &joint);
+	def.click_rad = (float)click;
+	keep_joint(s, &joint, cn_joint_create_ratchet(s->world, &def, &joint.handle));
+}
+
+void add_rotary_spring(scene *s, int32_t a, int32_t b, double hertz, double damping)
+{
+	scene_joint joint = begin_joint(s, CN_JOINT_ROTARY_SPRING, a, b, 0.0, 0.0, 0.0, 0.0);
+	cn_rotary_spring_def def;
+	cn_rotary_spring_def_init(&def);
+	set_base(s, &def.base, &joint);
+	def.rest_angle_rad = (float)joint.reference;
+	def.hertz = (float)hertz;
+	def.damping_ratio = (float)damping;
+	keep_joint(s, &joint, cn_joint_create_rotary_spring(s->world, &def, &joint.handle));
+}
+
+void add_motor_to(scene *s, int32_t a, int32_t b, double x, double y, double force)
+{
+	scene_joint joint = begin_joint(s, CN_JOINT_MOTOR_TO, a, b, x, y, x, y);
+	cn_motor_def def;
+	cn_motor_def_init(&def);
+	set_base(s, &def.base, &joint);
+	def.base.force_max_N = def.base.torque_max_Nm = (float)force;
+	def.angle_rad = (float)joint.reference;
+	keep_joint(s, &joint, cn_joint_create_motor(s->world, &def, &joint.handle));
 }

@@ -157,6 +157,7 @@ static const struct family_table {
 	{ workshop_families, &workshop_family_count },
 	{ compound_families, &compound_family_count },
 	{ playground_families, &playground_family_count },
+	{ contraption_families, &contraption_family_count },
 };
 
 static int is_asked_for(const settings *set, const family *which)

@@ -62,6 +62,7 @@ typedef struct scene {
 	/* Of joints made next. */
 	uint32_t joint_flags;
 	double motor_speed, motor_max; /* motor_max > 0: a motor */
+	double joint_hertz, joint_force; /* > 0: the stiffness, the greatest force and torque; then the joint's error is not measured */
 	/* Of the run. */
 	double dt_s, seconds;
 	int32_t vary;  /* 1: frames of 0.5 to 1.5 times dt_s */
@@ -136,6 +137,13 @@ void add_wheel(scene *s, int32_t a, int32_t b, double x, double y, double axis_x
 void add_gear(scene *s, int32_t a, int32_t b, double ratio);
 /* A rope from the origin of a over two points to the origin of b, taut now. */
 void add_pulley(scene *s, int32_t a, int32_t b, double gax, double gay, double gbx, double gby, double ratio);
+/* The point (x, y) of b slides in a's slot from there to the end. */
+void add_groove(scene *s, int32_t a, int32_t b, double x, double y, double end_x, double end_y);
+void add_ratchet(scene *s, int32_t a, int32_t b, double click);
+/* At rest now. */
+void add_rotary_spring(scene *s, int32_t a, int32_t b, double hertz, double damping);
+/* Drives b to where it is now in a. */
+void add_motor_to(scene *s, int32_t a, int32_t b, double x, double y, double force);
 
 /* ---- measure.c ---- */
 
@@ -188,8 +196,8 @@ double cpu_clock_s(void);
 
 /* ---- generators ---- */
 
-extern const family cloth_families[], mechanism_families[], machine_families[], rope_families[], figure_families[], vehicle_families[], structure_families[], heap_families[], workshop_families[], compound_families[], playground_families[];
-extern const int32_t cloth_family_count, mechanism_family_count, machine_family_count, rope_family_count, figure_family_count, vehicle_family_count, structure_family_count, heap_family_count, workshop_family_count, compound_family_count, playground_family_count;
+extern const family cloth_families[], mechanism_families[], machine_families[], rope_families[], figure_families[], vehicle_families[], structure_families[], heap_families[], workshop_families[], compound_families[], playground_families[], contraption_families[];
+extern const int32_t cloth_family_count, mechanism_family_count, machine_family_count, rope_family_count, figure_family_count, vehicle_family_count, structure_family_count, heap_family_count, workshop_family_count, compound_family_count, playground_family_count, contraption_family_count;
 #define FAMILY_COUNT(table) ((int32_t)(sizeof(table) / sizeof *(table)))
 
 #endif

@@ -71,7 +71,7 @@ static double joint_error(const scene *s, const scene_joint *j)
 		return beyond(j, gap);
 	case CN_JOINT_PRISMATIC:
 		return fmax(fmax(across, j->arm * fabs(angle)), beyond(j, along));
-	case CN_JOINT_WHEEL:
+	case CN_JOINT_WHEEL: case CN_JOINT_GROOVE:
 		return fmax(across, beyond(j, along));
 	case CN_JOINT_GEAR:
 		return j->arm * fabs(b->turned - j->ratio * a->turned - j->reference);

@@ -77,6 +77,30 @@ cn_result cn_joint_create_pulley(cn_world *world, const cn_pulley_def *def, cn_j
 	return peer_refuse("the adapter has no pulleys");
 }
 
+cn_result cn_joint_create_groove(cn_world *world, const cn_groove_def *def, cn_joint *out_joint)
+{
+	(void)world, (void)def, (void)out_joint;
+	return peer_refuse("the adapter has no grooves");
+}
+
+cn_result cn_joint_create_ratchet(cn_world *world, const cn_ratchet_def *def, cn_joint *out_joint)
+{
+	(void)world, (void)def, (void)out_joint;
+	return peer_refuse("the adapter has no ratchets");
+}
+
+cn_result cn_joint_create_rotary_spring(cn_world *world, const cn_rotary_spring_def *def, cn_joint *out_joint)
+{
+	(void)world, (void)def, (void)out_joint;
+	return peer_refuse("the adapter has no rotary springs");
+}
+
+cn_result cn_joint_create_motor(cn_world *world, const cn_motor_def *def, cn_joint *out_joint)
+{
+	(void)world, (void)def, (void)out_joint;
+	return peer_refuse("the adapter has no motors to a pose");
+}
+
 cn_result cn_joint_set_motor(cn_world *world, cn_joint joint, float speed, float force_or_torque_max)
 {
 	(void)world, (void)joint, (void)speed, (void)force_or_torque_max;
