@@ -292,6 +292,11 @@ static void keep_joint(scene *s, const scene_joint *joint, cn_result result)
 	}
 }
 
+void lock_rotation(scene *s, int32_t body)
+{
+	check(s, cn_body_set_flags(s->world, s->bodies[body].handle, (uint32_t)CN_BODY_ENABLED | (uint32_t)CN_BODY_SLEEP | (uint32_t)CN_BODY_LOCK_ROTATION));
+}
+
 void add_pin_limited(scene *s, int32_t a, int32_t b, double x, double y, double lower, double upper)
 {
 	scene_joint joint = begin_joint(s, CN_JOINT_REVOLUTE, a, b, x, y, x, y);

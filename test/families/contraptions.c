@@ -19,7 +19,7 @@ static int32_t add_part(scene *s, double x, double y, double ratio)
 	else
 		part = add_capsule(s, CN_BODY_DYNAMIC, x, y, angle, 0.6 * size, 0.4 * size);
 	if (chance(s, 0.1))
-		cn_body_set_flags(s->world, s->bodies[part].handle, (uint32_t)CN_BODY_ENABLED | (uint32_t)CN_BODY_SLEEP | (uint32_t)CN_BODY_LOCK_ROTATION);
+		lock_rotation(s, part);
 	return part;
 }
 

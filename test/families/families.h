@@ -121,6 +121,9 @@ void set_velocity(scene *s, int32_t body, double vx, double vy, double w);
 /* Density at which the shapes made next, of this area, weigh mass_kg. */
 void set_mass(scene *s, double mass_kg, double area_m2);
 
+/* It keeps its angle. */
+void lock_rotation(scene *s, int32_t body);
+
 /* Joints at points of the world where the bodies are now. a may be WORLD. */
 void add_pin(scene *s, int32_t a, int32_t b, double x, double y);
 void add_pin_limited(scene *s, int32_t a, int32_t b, double x, double y, double lower, double upper);

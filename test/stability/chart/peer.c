@@ -65,40 +65,30 @@ cn_result cn_world_def_check(const cn_world_def *def, char *text, int32_t text_b
 	return CN_ERROR_ARGUMENT;
 }
 
-cn_result cn_joint_create_gear(cn_world *world, const cn_gear_def *def, cn_joint *out_joint)
-{
-	(void)world, (void)def, (void)out_joint;
-	return peer_refuse("the adapter has no gears");
-}
+/* A type of joint that the adapter lacks: its definition is zeros, and it is refused. */
+#define LACKS_JOINT(type, words) \
+	void cn_##type##_def_init(cn_##type##_def *def) \
+	{ \
+		memset(def, 0, sizeof *def); \
+		def->base.struct_size = (uint32_t)sizeof *def; \
+	} \
+	cn_result cn_joint_create_##type(cn_world *world, const cn_##type##_def *def, cn_joint *out_joint) \
+	{ \
+		(void)world, (void)def, (void)out_joint; \
+		return peer_refuse("the adapter has no " words); \
+	}
 
-cn_result cn_joint_create_pulley(cn_world *world, const cn_pulley_def *def, cn_joint *out_joint)
-{
-	(void)world, (void)def, (void)out_joint;
-	return peer_refuse("the adapter has no pulleys");
-}
+LACKS_JOINT(gear, "gears")
+LACKS_JOINT(pulley, "pulleys")
+LACKS_JOINT(groove, "grooves")
+LACKS_JOINT(ratchet, "ratchets")
+LACKS_JOINT(rotary_spring, "rotary springs")
+LACKS_JOINT(motor, "motors to a pose")
 
-cn_result cn_joint_create_groove(cn_world *world, const cn_groove_def *def, cn_joint *out_joint)
+cn_result cn_body_set_flags(cn_world *world, cn_body body, uint32_t flags)
 {
-	(void)world, (void)def, (void)out_joint;
-	return peer_refuse("the adapter has no grooves");
-}
-
-cn_result cn_joint_create_ratchet(cn_world *world, const cn_ratchet_def *def, cn_joint *out_joint)
-{
-	(void)world, (void)def, (void)out_joint;
-	return peer_refuse("the adapter has no ratchets");
-}
-
-cn_result cn_joint_create_rotary_spring(cn_world *world, const cn_rotary_spring_def *def, cn_joint *out_joint)
-{
-	(void)world, (void)def, (void)out_joint;
-	return peer_refuse("the adapter has no rotary springs");
-}
-
-cn_result cn_joint_create_motor(cn_world *world, const cn_motor_def *def, cn_joint *out_joint)
-{
-	(void)world, (void)def, (void)out_joint;
-	return peer_refuse("the adapter has no motors to a pose");
+	(void)world, (void)body, (void)flags;
+	return peer_refuse("the adapter cannot lock bodies");
 }
 
 cn_result cn_joint_set_motor(cn_world *world, cn_joint joint, float speed, float force_or_torque_max)
@@ -177,20 +167,6 @@ void cn_wheel_def_init(cn_wheel_def *def)
 	def->axis.y = 1.0f;
 	def->spring_hertz = 1.0f;
 	def->spring_damping_ratio = 0.7f;
-}
-
-void cn_pulley_def_init(cn_pulley_def *def)
-{
-	memset(def, 0, sizeof *def);
-	def->base.struct_size = (uint32_t)sizeof *def;
-	def->ratio = 1.0f;
-}
-
-void cn_gear_def_init(cn_gear_def *def)
-{
-	memset(def, 0, sizeof *def);
-	def->base.struct_size = (uint32_t)sizeof *def;
-	def->ratio = 1.0f;
 }
 
 /* ---- from the pose ---- */
