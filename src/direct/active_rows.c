@@ -141,53 +141,17 @@ void cni_active_levers(const cn_world *world, cni_sparse *sparse, const cni_comp
 	}
 }
 
-/* Greatest sum of the speeds at which ropes that are too long become shorter. A row of them lifts the load at its end at that sum, and what pulls
-   a heavy load at many times its weight throws the light bodies between them aside. Where contacts pull them, they must not open. */
-static float closing_most(const cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c)
-{
-	float push = world->settings.push_speed_max, fastest_sq = 0.0f, most;
-	for (int32_t k = c->body_begin; k < c->body_end; ++k) {
-		const cni_motion *m = cni_motions(world) + sparse->bodies[k];
-		if (cni_externals(world)[sparse->bodies[k]].flags & CNI_EXTERNAL_TOUCHED)
-			return push;
-		fastest_sq = cni_max(fastest_sq, cni_sq(m->vx) + cni_sq(m->vy));
-	}
-	most = cni_max(CNI_ROPE_CLOSING_PART * cni_sqrt(fastest_sq), CNI_ROPE_CLOSING_WEIGHTS * s->h * cni_length(world->settings.gravity));
-	return cni_min(push, cni_max(CNI_ROPE_CLOSING_LEAST * world->settings.length_unit, most));
-}
-
-/* Gives ropes the part of their closing speeds that they may have, and in loops the leak of rows (direct/component.c). */
-static void ropes_slow(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c)
-{
-	float sum = 0.0f, most = closing_most(world, s, sparse, c);
-	for (int32_t k = c->active_first; k != CNI_NONE; k = sparse->nodes[k].next_active)
-		if (sparse->nodes[k].rows == 0)
-			sum += cni_max(sparse->nodes[k].target, 0.0f);
-	for (int32_t k = c->active_first; k != CNI_NONE; k = sparse->nodes[k].next_active) {
-		cni_node *n = &sparse->nodes[k];
-		const cni_row *r = active_row(world, n);
-		if (n->rows > 0)
-			continue;
-		if (sum > most && n->target > 0.0f)
-			n->target *= most / sum;
-		if (c->loops)
-			n->target -= CNI_DIRECT_LEAK * n->diagonal[2] * r->impulse;
-		if (n->active & CNI_ROW_IN_SET)
-			n->x[2] = missing_speed(world, n, r);
-	}
-}
-
 void cni_active_right_sides(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c, int32_t bias)
 {
 	for (int32_t k = c->active_first; k != CNI_NONE; k = sparse->nodes[k].next_active) {
 		cni_node *n = &sparse->nodes[k];
 		const cni_row *r = active_row(world, n);
 		n->target = target_speed(world, r, s, bias);
+		if (bias && c->loops && n->rows == 0) /* a rope has the leak of rows (direct/component.c) */
+			n->target -= CNI_DIRECT_LEAK * n->diagonal[2] * r->impulse;
 		if (n->active & CNI_ROW_IN_SET)
 			n->x[2] = missing_speed(world, n, r);
 	}
-	if (bias && c->has_ropes)
-		ropes_slow(world, s, sparse, c);
 }
 
 float cni_active_rope_missing(const cn_world *world, const cni_sparse *sparse, const cni_component *c)

@@ -196,12 +196,6 @@ CNI_TUNING_FLOAT(CNI_ILL_MASS_RATIO, 1e4f)
 CNI_TUNING_FLOAT(CNI_ILL_PIVOT, 2e-5f)
 /* Radians, or length units. A joint that is farther beyond a limit, at ten times cni_soft_speed_most, is held there by others. */
 CNI_TUNING_FLOAT(CNI_LIMIT_FORCED, 0.01f)
-/* Greatest sum of the closing speeds of ropes that nothing touches: weights in a substep, part of the speed of their fastest body, and the least,
-   length units a second. With the push speed alone nets of ropes that become exact throw their beads: 3 of 60 seeds worse than soft constraints.
-   Without the part, loads that swing at 14 m/s open their ropes by 20 mm. */
-CNI_TUNING_FLOAT(CNI_ROPE_CLOSING_WEIGHTS, 10.0f)
-CNI_TUNING_FLOAT(CNI_ROPE_CLOSING_PART, 0.1f)
-CNI_TUNING_FLOAT(CNI_ROPE_CLOSING_LEAST, 0.1f)
 /* Part of a diagonal below which a pivot has the solutions of a tree checked: light bodies between heavy ones, or on arms longer than they. What of such
    a tree has opened while it was soft stays soft until it is closed. */
 CNI_TUNING_FLOAT(CNI_CHECKED_PIVOT, 1e-3f)

@@ -107,7 +107,7 @@ static void t_drag(void)
 	CHECK_LE("off the pointer", hypotf(at.x - 6.5f, at.y + 2.0f), 0.1, "m");
 	testbed_event(&bed, TESTBED_RELEASE, aim.x, aim.y, 0);
 	CHECK(bed.drag == 0 && bed.holds == TESTBED_HOLDS_NOTHING);
-	frames(10);
+	frames(30);
 	cn_body_get_center(bed.run.world, body, &at);
 	CHECK_GE("away from the pointer when let go", hypotf(at.x - 6.5f, at.y + 2.0f), 0.05, "m");
 	testbed_close(&bed);

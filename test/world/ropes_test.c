@@ -2,7 +2,7 @@
  * test/world/ropes_test.c - ropes, which are distance joints with a greatest length alone: rows of them under loads, hooks, nets, ropes that go slack
  * and taut.
  *
- * If a test here fails, run world/direct first. Then look at ropes_switch in direct/rattle.c, at ropes_slow in direct/active_rows.c, and at
+ * If a test here fails, run world/direct first. Then look at ropes_switch in direct/rattle.c, and at
  * is_open_loop in direct/direct_joints.c.
  */
 #include "direct.h"
