@@ -7,7 +7,12 @@ chart=test/stability/chart
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 calls() { cat "$@" | grep -oE '\bcn_[a-z0-9_]+\(' | sort -u; }
-definitions() { grep -hE '^[a-z].*\bcn_[a-z0-9_]+\(' "$@" | grep -oE '\bcn_[a-z0-9_]+\(' | sort -u; }
+definitions() {
+	{
+		grep -hE '^[a-z].*\bcn_[a-z0-9_]+\(' "$@" | grep -oE '\bcn_[a-z0-9_]+\('
+		awk -F '[(,]' '/^LACKS_JOINT\(/ { print "cn_" $2 "_def_init("; print "cn_joint_create_" $2 "(" }' "$@"
+	} | sort -u
+}
 wanting=0
 check() { # engine files...
 	engine=$1
