@@ -81,9 +81,9 @@ static int32_t was_soft(const cn_world *world, const cni_sparse *sparse, const c
  * joints explode there when contacts, springs, motors or the mouse load it, or when they are to close what soft ones have opened (RATTLE finds
  * that no motion does). Trees have no such configurations, nor have loops with gears. A loop of few bodies stays exact (CNI_LOOP_BODIES), and so
  * does a loop of moving bodies alone, such as a scissor lift, unless most of its bodies touch something, more than contacts can know its joints
- * (direct/heavy_contacts.c): the links of a caterpillar track would be pressed into wheels. Contacts come and
- * go: a loop that closed its joints whenever a body on it bounces would throw the body. So the loop stays soft for the longest span of a trust:
- * of 80 seeds of the family `bridge`, when all bridges were soft, 8 were worse than soft constraints with 32 steps, 3 with 128, 2 with 256.
+ * (direct/heavy_contacts.c): the links of a caterpillar track would be pressed into wheels. Contacts come and go: a loop that closed its joints
+ * whenever a body on it bounces would throw the body. So the loop stays soft for the longest span of a trust: of 80 seeds of the family
+ * `bridge`, when all bridges were soft, 8 were worse than soft constraints with 32 steps, 3 with 128, 2 with 256.
  */
 static int32_t loop_is_better_soft(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {

@@ -297,7 +297,7 @@ int32_t cni_joint_constraint_widen(cn_world *world, const cni_solve *s, struct c
 	const cni_joint *j = cni_joint_at(world, ((const int32_t *)world->awake_joints.data)[k]);
 	if (form_of(j) == CNI_FORM_NONE || !may_use_lane(world, j))
 		return 0;
-	cni_joint_constraint_begin(world, k, j);
+	cni_joint_constraint_begin(world, s, k, j);
 	if (w->flags & (CNI_CONSTRAINT_LOCKS | CNI_CONSTRAINT_APART))
 		return 0;
 	w->form = form_of(j);

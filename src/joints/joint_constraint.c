@@ -155,8 +155,6 @@ static float row_gap(const cni_row *r)
 	return r->kind == CNI_ROW_LIMIT ? cni_min(r->error, 0.0f) : r->error;
 }
 
-static float gap_most(const cn_world *world) { return CNI_JOINT_GAP_MOST * world->settings.length_unit; }
-
 static void rows_bound_gaps(cni_row *rows, int32_t count, float most)
 {
 	for (int32_t k = 0; k < count; ++k)
@@ -173,12 +171,12 @@ static int32_t rows_make(const cni_joint_constraint *w, const cni_joint_frame *f
 }
 
 /* The rows stay the same in the same order during a step: the first build sets rigid_count. */
-static void rows_build(const cn_world *world, cni_joint_constraint *w, const cni_motion *a, const cni_motion *b)
+static void rows_build(const cni_solve *s, cni_joint_constraint *w, const cni_motion *a, const cni_motion *b)
 {
 	cni_joint_frame f = constraint_frame(w, a, b);
 	w->row_count = rows_make(w, &f, w->rows);
 	if (w->flags & CNI_CONSTRAINT_APART)
-		rows_bound_gaps(w->rows, w->row_count, gap_most(world));
+		rows_bound_gaps(w->rows, w->row_count, s->joint_gap_most);
 	for (int32_t k = 0; w->rigid_count < 0; ++k)
 		if (k == w->row_count || (w->rows[k].kind != CNI_ROW_RIGID && w->rows[k].kind != CNI_ROW_DRIVE))
 			w->rigid_count = k;
@@ -274,20 +272,20 @@ static void constraint_soften(cni_joint_constraint *w, const cni_joint *j, const
 
 /* A soft joint closes a gap of metres within a step, at hundreds of metres a second, and throws what hangs on it. Motion opens joints too far as
    well, but then their rows must not get weaker: strong motors and nets would part them. */
-static void apart_begin(cn_world *world, cni_joint_constraint *w)
+static void apart_begin(cn_world *world, const cni_solve *s, cni_joint_constraint *w)
 {
 	cni_row rows[CNI_JOINT_ROWS];
 	float gap = 0.0f;
 	int32_t count = w->make_rows(w->record, &w->start, rows);
 	for (int32_t k = 0; k < count; ++k)
 		gap = cni_max(gap, cni_abs(row_gap(&rows[k])));
-	if (gap > gap_most(world) && !(w->flags & CNI_CONSTRAINT_SPRINGY))
+	if (gap > s->joint_gap_most && !(w->flags & CNI_CONSTRAINT_SPRINGY))
 		w->flags |= CNI_CONSTRAINT_APART;
 	else
 		cni_joint_at(world, w->joint)->apart = 0;
 }
 
-void cni_joint_constraint_begin(cn_world *world, int32_t k, const cni_joint *j)
+void cni_joint_constraint_begin(cn_world *world, const cni_solve *s, int32_t k, const cni_joint *j)
 {
 	cni_joint_constraint *w = cni_joint_constraints(world) + k;
 	w->record = j;
@@ -303,7 +301,7 @@ void cni_joint_constraint_begin(cn_world *world, int32_t k, const cni_joint *j)
 	w->flags = constraint_flags(world, j);
 	w->start = cni_joint_frame_place(world, j);
 	if (j->apart)
-		apart_begin(world, w);
+		apart_begin(world, s, w);
 }
 
 /* Does M K M differ from K^-1: is the trace of K M K M not the number of rows? */
@@ -321,7 +319,7 @@ static void rows_begin(cn_world *world, const cni_solve *s, cni_joint_constraint
 	const cni_joint *j = w->record;
 	float impulse[CNI_JOINT_ROWS];
 	w->rigid_count = -1;
-	rows_build(world, w, cni_motions(world) + w->ia, cni_motions(world) + w->ib);
+	rows_build(s, w, cni_motions(world) + w->ia, cni_motions(world) + w->ib);
 	if ((w->flags & CNI_CONSTRAINT_LOCKS) && is_stuck(w, cni_motions(world) + w->ia, cni_motions(world) + w->ib))
 		w->flags |= CNI_CONSTRAINT_STUCK;
 	constraint_soften(w, j, s);
@@ -362,7 +360,7 @@ void cni_joint_rope_mark(const cn_world *world, cni_joint_constraint *w, float d
 void cni_joint_constraint_prepare(cn_world *world, const cni_solve *s, int32_t k)
 {
 	cni_joint_constraint *w = cni_joint_constraints(world) + k;
-	cni_joint_constraint_begin(world, k, cni_joint_at(world, ((const int32_t *)world->awake_joints.data)[k]));
+	cni_joint_constraint_begin(world, s, k, cni_joint_at(world, ((const int32_t *)world->awake_joints.data)[k]));
 	w->start.angle = cni_joint_frame_angle(world, w->record);
 	cni_joint_rope_mark(world, w, s->dt);
 	rows_begin(world, s, w);
@@ -395,14 +393,14 @@ static void pin_renew(cn_world *world, cni_joint_constraint *w)
 	cni_starts(world)[w->ib].w -= b->inv_inertia * (x->bw * jx + y->bw * jy - turn_b);
 }
 
-static void rows_renew(cn_world *world, cni_joint_constraint *w)
+static void rows_renew(cn_world *world, const cni_solve *s, cni_joint_constraint *w)
 {
 	cni_motion *a = cni_motions(world) + w->ia, *b = cni_motions(world) + w->ib;
 	cni_motion change_a = *a, change_b = *b;
 	cni_row old[CNI_JOINT_ROWS];
 	for (int32_t k = 0; k < w->row_count; ++k)
 		old[k] = w->rows[k];
-	rows_build(world, w, a, b);
+	rows_build(s, w, a, b);
 	change_a.vx = change_a.vy = change_a.w = 0.0f;
 	change_b.vx = change_b.vy = change_b.w = 0.0f;
 	for (int32_t k = 0; k < w->row_count; ++k) {
@@ -418,12 +416,12 @@ static void rows_renew(cn_world *world, cni_joint_constraint *w)
 	cni_start_add(cni_starts(world) + w->ib, &change_b, -1.0f);
 }
 
-void cni_joint_rows_renew(cn_world *world, cni_joint_constraint *w)
+void cni_joint_rows_renew(cn_world *world, const cni_solve *s, cni_joint_constraint *w)
 {
 	if (w->make_rows == cni_joint_revolute_rows && w->row_count == 2 && (w->flags & CNI_CONSTRAINT_DIRECT))
 		pin_renew(world, w);
 	else
-		rows_renew(world, w);
+		rows_renew(world, s, w);
 }
 
 /* Locked levers say nothing of the force that a locked axis bears. */

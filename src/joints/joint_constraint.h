@@ -105,13 +105,13 @@ static inline int32_t cni_joint_island(const cn_world *world, int32_t ia, int32_
 /* Sets up joint constraint k (place in the awake list) at the beginning of a step, to be solved by rows. */
 void cni_joint_constraint_prepare(cn_world *world, const cni_solve *s, int32_t k);
 /* Sets the fields that do not depend on the solver, except the frame's angle. */
-void cni_joint_constraint_begin(cn_world *world, int32_t k, const cni_joint *j);
+void cni_joint_constraint_begin(cn_world *world, const cni_solve *s, int32_t k, const cni_joint *j);
 /* ... then its rows, decoupled, with their impulses, if they have not been built yet. */
 void cni_joint_rows_need(cn_world *world, const cni_solve *s, cni_joint_constraint *w);
 /* At the end of a step: stores the rows' impulses, for the type's rows, in the record. */
 void cni_joint_rows_end(const cn_world *world, const cni_joint_constraint *w, cni_joint *j);
 /* Builds the rows at the bodies' new positions with their present impulses; the change of the impulses' response goes into start. */
-void cni_joint_rows_renew(cn_world *world, cni_joint_constraint *w);
+void cni_joint_rows_renew(cn_world *world, const cni_solve *s, cni_joint_constraint *w);
 /* What locked axes and rotations leave of the mobility of a row, or of a direction of a point, counts as none below this; 0: nothing is locked. */
 typedef struct cni_mobility {
 	float linear, angular; /* 1/kg, 1/(kg m^2) */

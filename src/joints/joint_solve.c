@@ -293,7 +293,7 @@ static int32_t plain_relax(cn_world *world, const cni_solve *s, int32_t again)
 		if (again && !cni_joint_is_of_small(world, w))
 			continue;
 		if (!again)
-			cni_joint_rows_renew(world, w);
+			cni_joint_rows_renew(world, s, w);
 		cni_motion a = cni_motions(world)[w->ia];
 		cni_motion b = cni_motions(world)[w->ib];
 		solve_constraint(w, cni_motions(world), s, 0);

@@ -81,6 +81,7 @@ typedef struct cni_solve {
 	float restitution_threshold;
 	cni_contact_pass contact[CNI_CONTACTS_KINDS];
 	cni_soft joint;
+	float joint_gap_most;     /* of a joint that was made or put apart, m: what rows see of its gap */
 	float restless_speed;     /* joints are relaxed again while that changes a velocity by more */
 	const struct cni_contact_kernel *kernel;
 	const struct cni_joint_kernel *joint_kernel;
