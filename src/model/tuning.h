@@ -319,10 +319,10 @@ CNI_TUNING_FLOAT(CNI_CONE_FRICTION_LEAST, 1e-4f)
 CNI_TUNING_FLOAT(CNI_JOINT_TURN_MOST, 0.3f)
 /* Length units a second. */
 CNI_TUNING_FLOAT(CNI_JOINT_RESTLESS, 1.0f)
-/* Length units. Rows of joints that were made or put apart see no greater gaps. At 240 substeps a second they close at 75 times as much a second,
-   which is next to the greatest speed at any substep, in length units a second. With 15, weaker rows at 240 substeps, a tangle of soft joints that were
-   made apart reaches 400 m/s. */
+/* Length units. Rows of joints that were made or put apart see no greater gaps: at 240 substeps a second they close at 75 times as much a second. */
 CNI_TUNING_FLOAT(CNI_JOINT_GAP_MOST, 0.25f)
+/* Length units a second. With more substeps they see less, and close at this speed. With 15 rows are weaker at 240 substeps, too, and a tangle of
+   soft joints that were made apart reaches 400 m/s. */
 CNI_TUNING_FLOAT(CNI_JOINT_CLOSING_MOST, 20.0f)
 /* Most bodies of an island whose joints are relaxed again. */
 CNI_TUNING_COUNT(CNI_JOINT_RELAX_BODIES, 64)
