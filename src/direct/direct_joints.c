@@ -64,9 +64,9 @@ static float widest_gap(const cn_world *world, const cni_sparse *sparse, const c
 	return most;
 }
 
-static int32_t is_open(const cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c)
+static int32_t is_open(const cn_world *world, const cni_solve *s, float gap)
 {
-	return widest_gap(world, sparse, c) > CNI_LOOP_OPEN * s->h * s->h * world->settings.length_unit;
+	return gap > CNI_LOOP_OPEN * s->h * s->h * world->settings.length_unit;
 }
 
 /* 1: in the last step its joints were soft, as they had been given up. */
@@ -144,17 +144,17 @@ static void soften_for(cn_world *world, cni_sparse *sparse, cni_component *c, in
 
 /* A component with a joint that was torn open, by a body that was put elsewhere or by moving parts that pull it apart: exact joints turn
    its bodies so far while they close the gap that linear systems say nothing of it. It is soft until the gap is closed. */
-static int32_t is_torn(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+static int32_t is_torn(const cn_world *world, const cni_component *c, float gap)
 {
-	return !c->has_contacts && widest_gap(world, sparse, c) > CNI_JOINT_TORN * world->settings.length_unit;
+	return !c->has_contacts && gap > CNI_JOINT_TORN * world->settings.length_unit;
 }
 
 /* A loop that has opened, as one that was soft, or put together so, or moved by force. To close it exact joints would straighten a row between fixed
    ends that no force can hold then, lift the load of a net whose ropes are too long, or throw what lies on a bridge. Where something loads it, or
    drives it, it stays soft for the longest span of a trust, as joints that are closed to the last millimetre still contradict each other. */
-static int32_t is_open_loop(const cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c)
+static int32_t is_open_loop(const cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c, float gap)
 {
-	return c->loops && !c->has_contacts && (c->uses_rattle || c->has_ropes || was_soft(world, sparse, c)) && is_open(world, s, sparse, c);
+	return c->loops && !c->has_contacts && (c->uses_rattle || c->has_ropes || was_soft(world, sparse, c)) && is_open(world, s, gap);
 }
 
 /* Is the joint beyond a limit under thousands of weights? */
@@ -212,9 +212,9 @@ static void bodies_look(const cn_world *world, const cni_sparse *sparse, cni_com
 
 /* A light body between far heavier ones, or on long arms: beside the rows that move it, what the others bear through it is lost in rounding, as
    a pin whose pivot cancels, or as a kick. Soft joints then open, and stay soft until they are closed. */
-static int32_t is_ill_scaled(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c)
+static int32_t is_ill_scaled(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c, float gap)
 {
-	int32_t opened = !c->has_contacts && was_soft(world, sparse, c) && is_open(world, s, sparse, c);
+	int32_t opened = !c->has_contacts && was_soft(world, sparse, c) && is_open(world, s, gap);
 	if (c->has_contacts || (!opened && c->mass_ratio < CNI_ILL_MASS_RATIO))
 		return 0;
 	return is_redundant(world, s, sparse, c, opened ? CNI_CHECKED_PIVOT : CNI_ILL_PIVOT);
@@ -277,14 +277,15 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 		c->regular = c->has_contacts ? CNI_REGULARIZATION_CONTACTS : c->loops ? CNI_REGULARIZATION_LOOPS : 0.0f;
 		bodies_look(world, out, c);
 		c->uses_rattle = CNI_ON(RATTLE) && !c->has_contacts && cni_component_uses_rattle(world, s, out, c);
-		if (is_torn(world, out, c)) {
+		float gap = c->has_contacts ? 0.0f : widest_gap(world, out, c);
+		if (is_torn(world, c, gap)) {
 			impulses_soften(world, out, c);
 			cni_component_release(world, out, c);
 		} else if (is_contradictory(world, out, c) || loop_is_better_soft(world, out, c))
 			soften_for(world, out, c, CNI_TRUST_MOST);
-		else if (is_open_loop(world, s, out, c))
+		else if (is_open_loop(world, s, out, c, gap))
 			soften_for(world, out, c, c->uses_rattle ? 1 : CNI_TRUST_MOST);
-		else if (is_ill_scaled(world, s, out, c))
+		else if (is_ill_scaled(world, s, out, c, gap))
 			soften_for(world, out, c, 0);
 		else if (c->body_begin == c->body_end)
 			cni_component_release(world, out, c);
