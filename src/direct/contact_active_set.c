@@ -8,7 +8,8 @@
  * pile costs about one factorization a step.
  *
  * Overlapping points are pushed apart by CNI_CONTACT_SET_PUSH_RATE of the overlap in a substep: slowly, since all of a pile is pushed at
- * once. The second pass of a substep removes that speed.
+ * once. The second pass of a substep removes that speed. An island that swayed with soft contacts leans on edges that they let yield: pushed
+ * at that rate where it turns, it would be lifted onto these edges, and fall back further each time. So its first steps push more slowly.
  *
  * Reads and writes direct contacts, motion velocities, impulses of joint constraints.
  */
@@ -39,14 +40,22 @@ static void friction_follow(cni_direct_contact *p)
 		p->state[2] = CNI_ROW_ACTIVE;
 }
 
+/* 1: the island has just been selected, and it owes for motion, or for attempts at its solution. */
+static int32_t may_sway(const cni_direct_contact_pass *q)
+{
+	return q->world->settings.solver == CN_SOLVER_AUTO && q->island->asked_step != 0 &&
+	       q->world->step_count + 1u - q->island->asked_step < CNI_CONTACT_SET_SWAY_STEPS && cni_cone_debt(q->world, q->island) > 0;
+}
+
 void cni_direct_contact_gap_speeds_find(const cni_direct_contact_pass *q)
 {
 	float touch = CNI_CONTACT_SET_TOUCHING * q->world->settings.length_unit;
+	float left = may_sway(q) ? 1.0f - CNI_CONTACT_SET_SWAY_PART : 0.0f, slop = q->world->settings.slop;
 	for (cni_direct_contact *p = q->first; p < q->end; ++p) {
 		for (int32_t i = 0; i < 2; ++i) {
 			float s = p->mass[i] > 0.0f ? cni_direct_contact_separation(p, i, q->motions + p->ia, q->motions + p->ib) : 0.0f, push;
 			s = s > 0.0f ? cni_max(s - touch, 0.0f) : cni_min(s + touch, 0.0f);
-			push = CNI_CONTACT_SET_PUSH_RATE * q->s->inv_h * s;
+			push = CNI_CONTACT_SET_PUSH_RATE * q->s->inv_h * (s - left * cni_max(s, -slop));
 			p->gap_speed[i] = s > 0.0f ? s * q->s->inv_h : q->bias ? cni_max(push, -q->s->push_speed) : 0.0f;
 		}
 		friction_follow(p);
