@@ -10,7 +10,8 @@ calls() { cat "$@" | grep -oE '\bcn_[a-z0-9_]+\(' | sort -u; }
 definitions() {
 	{
 		grep -hE '^[a-z].*\bcn_[a-z0-9_]+\(' "$@" | grep -oE '\bcn_[a-z0-9_]+\('
-		awk -F '[(,]' '/^LACKS_JOINT\(/ { print "cn_" $2 "_def_init("; print "cn_joint_create_" $2 "(" }' "$@"
+		awk -F '[(,)]' '/^LACKS_JOINT\(/ { print "cn_" $2 "_def_init("; print "cn_joint_create_" $2 "(" }
+			/^LACKS_CONSTRAINT\(/ { print "cn_" $2 "_constraint_def_init("; print "cn_constraint_create_" $2 "(" }' "$@"
 	} | sort -u
 }
 wanting=0

@@ -506,3 +506,57 @@ void add_motor_to(scene *s, int32_t a, int32_t b, double x, double y, double for
 	def.angle_rad = (float)joint.reference;
 	keep_joint(s, &joint, cn_joint_create_motor(s->world, &def, &joint.handle));
 }
+
+/* ---- constraints on one body ---- */
+
+void add_angle_constraint(scene *s, int32_t body, double lower, double upper)
+{
+	scene_joint joint = begin_joint(s, ANGLE_CONSTRAINT, WORLD, body, 0.0, 0.0, 0.0, 0.0);
+	cn_angle_constraint_def def;
+	cn_constraint constraint;
+	if (s->drift_mps != 0.0)
+		return;
+	cn_angle_constraint_def_init(&def);
+	def.body = s->bodies[body].handle;
+	joint.lower = lower;
+	joint.upper = upper;
+	def.lower_rad = (float)lower;
+	def.upper_rad = (float)upper;
+	if (s->joint_hertz > 0.0) {
+		def.hertz = (float)s->joint_hertz;
+		def.damping_ratio = 0.5f;
+	}
+	keep_joint(s, &joint, cn_constraint_create_angle(s->world, &def, &constraint));
+}
+
+void add_line_constraint(scene *s, int32_t body, double x, double y, double axis_x, double axis_y, double tolerance, double lower, double upper)
+{
+	scene_joint joint = begin_joint(s, LINE_CONSTRAINT, WORLD, body, x, y, x, y);
+	cn_line_constraint_def def;
+	cn_constraint constraint;
+	if (s->drift_mps != 0.0)
+		return;
+	cn_line_constraint_def_init(&def);
+	def.body = s->bodies[body].handle;
+	set_axis(s, &joint, axis_x, axis_y);
+	joint.tolerance = tolerance;
+	joint.lower = lower;
+	joint.upper = upper;
+	def.anchor_m.x = (float)joint.bx;
+	def.anchor_m.y = (float)joint.by;
+	def.origin_m.x = (float)x;
+	def.origin_m.y = (float)y;
+	def.axis.x = (float)joint.axis_x;
+	def.axis.y = (float)joint.axis_y;
+	def.tolerance_m = (float)tolerance;
+	if (lower <= upper) {
+		def.flags |= CN_CONSTRAINT_LIMIT;
+		def.lower_m = (float)lower;
+		def.upper_m = (float)upper;
+	}
+	if (s->joint_hertz > 0.0) {
+		def.hertz = (float)s->joint_hertz;
+		def.damping_ratio = 0.5f;
+	}
+	keep_joint(s, &joint, cn_constraint_create_line(s->world, &def, &constraint));
+}

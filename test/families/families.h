@@ -41,8 +41,11 @@ typedef struct scene_shape {
 	double lower[2], upper[2];
 } scene_shape;
 
+/* Types of scene_joint beside those of joints: constraints on one body, whose a is the world. */
+enum { ANGLE_CONSTRAINT = 100, LINE_CONSTRAINT = 101 };
+
 typedef struct scene_joint {
-	cn_joint handle;
+	cn_joint handle;           /* 0: a constraint */
 	int32_t type, a, b;        /* type -1: it was cut */
 	double ax, ay, bx, by;     /* anchors, local; of the world: in the world */
 	double axis_x, axis_y;     /* in a */
@@ -50,6 +53,7 @@ typedef struct scene_joint {
 	double lower, upper;       /* of an angle, a length or a translation; lower > upper: no limit */
 	double arm;                /* m: what an angle's error is multiplied by */
 	double ground[4], ratio, length; /* of pulleys and gears */
+	double tolerance;          /* of a line constraint: free play to either side, m */
 } scene_joint;
 
 typedef struct scene {
@@ -148,6 +152,11 @@ void add_rotary_spring(scene *s, int32_t a, int32_t b, double hertz, double damp
 /* Drives b to where it is now in a. */
 void add_motor_to(scene *s, int32_t a, int32_t b, double x, double y, double force);
 
+/* Constraints on one body. They know no moving frame: where the scene drifts they are left out. */
+void add_angle_constraint(scene *s, int32_t body, double lower, double upper);
+/* The point (x, y) of the body keeps to the line through it; lower > upper: without limits. */
+void add_line_constraint(scene *s, int32_t body, double x, double y, double axis_x, double axis_y, double tolerance, double lower, double upper);
+
 /* ---- measure.c ---- */
 
 typedef struct scene_measures {
@@ -199,8 +208,8 @@ double cpu_clock_s(void);
 
 /* ---- generators ---- */
 
-extern const family cloth_families[], mechanism_families[], machine_families[], rope_families[], figure_families[], vehicle_families[], structure_families[], heap_families[], workshop_families[], compound_families[], playground_families[], contraption_families[];
-extern const int32_t cloth_family_count, mechanism_family_count, machine_family_count, rope_family_count, figure_family_count, vehicle_family_count, structure_family_count, heap_family_count, workshop_family_count, compound_family_count, playground_family_count, contraption_family_count;
+extern const family cloth_families[], mechanism_families[], machine_families[], rope_families[], figure_families[], vehicle_families[], structure_families[], heap_families[], workshop_families[], compound_families[], playground_families[], contraption_families[], guided_families[];
+extern const int32_t cloth_family_count, mechanism_family_count, machine_family_count, rope_family_count, figure_family_count, vehicle_family_count, structure_family_count, heap_family_count, workshop_family_count, compound_family_count, playground_family_count, contraption_family_count, guided_family_count;
 #define FAMILY_COUNT(table) ((int32_t)(sizeof(table) / sizeof *(table)))
 
 #endif

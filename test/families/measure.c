@@ -75,6 +75,10 @@ static double joint_error(const scene *s, const scene_joint *j)
 		return fmax(across, beyond(j, along));
 	case CN_JOINT_GEAR:
 		return j->arm * fabs(b->turned - j->ratio * a->turned - j->reference);
+	case ANGLE_CONSTRAINT:
+		return j->arm * beyond(j, b->turned);
+	case LINE_CONSTRAINT:
+		return fmax(fmax(0.0, across - j->tolerance), beyond(j, along));
 	case CN_JOINT_PULLEY:
 		return pulley_error(j, ax, ay, bx, by);
 	default:

@@ -85,6 +85,22 @@ LACKS_JOINT(ratchet, "ratchets")
 LACKS_JOINT(rotary_spring, "rotary springs")
 LACKS_JOINT(motor, "motors to a pose")
 
+/* The same of a type of constraint on one body. */
+#define LACKS_CONSTRAINT(type) \
+	void cn_##type##_constraint_def_init(cn_##type##_constraint_def *def) \
+	{ \
+		memset(def, 0, sizeof *def); \
+		def->struct_size = (uint32_t)sizeof *def; \
+	} \
+	cn_result cn_constraint_create_##type(cn_world *world, const cn_##type##_constraint_def *def, cn_constraint *out_constraint) \
+	{ \
+		(void)world, (void)def, (void)out_constraint; \
+		return peer_refuse("the adapter has no constraints on one body"); \
+	}
+
+LACKS_CONSTRAINT(angle)
+LACKS_CONSTRAINT(line)
+
 cn_result cn_body_set_flags(cn_world *world, cn_body body, uint32_t flags)
 {
 	(void)world, (void)body, (void)flags;
