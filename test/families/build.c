@@ -206,6 +206,30 @@ void add_pit(scene *s, double half_width)
 	add_box(s, CN_BODY_STATIC, half_width + 1.0, 19.0, 0.0, 1.0, 21.0);
 }
 
+void add_area(scene *s, double x, double y, double half_x, double half_y, double density, double drag, double damping, double flow_x, double lift)
+{
+	cn_body_def body;
+	cn_shape_def def;
+	cn_area_def area;
+	cn_shape shape = 0;
+	cn_body_def_init(&body);
+	body.type = s->drift_mps != 0.0 ? CN_BODY_KINEMATIC : CN_BODY_STATIC;
+	body.linear_velocity_mps.x = (float)s->drift_mps;
+	body.position_m.x = (float)x;
+	body.position_m.y = (float)y;
+	cn_shape_def_init(&def);
+	check(s, cn_body_create(s->world, &body, &def.body));
+	def.flags |= CN_SHAPE_SENSOR;
+	check(s, cn_shape_create_box(s->world, &def, (float)half_x, (float)half_y, 0.0f, &shape));
+	cn_area_def_init(&area);
+	area.density_kgpm2 = (float)density;
+	area.drag_kgpm2 = (float)drag;
+	area.linear_damping_per_s = area.angular_damping_per_s = (float)damping;
+	area.flow_mps.x = (float)flow_x;
+	area.gravity_mps2.y = (float)lift;
+	check(s, cn_shape_set_area(s->world, shape, &area));
+}
+
 void set_velocity(scene *s, int32_t body, double vx, double vy, double w)
 {
 	check(s, cn_body_set_velocity(s->world, s->bodies[body].handle, (float)(vx + s->drift_mps), (float)vy, (float)w));

@@ -159,6 +159,7 @@ static const struct family_table {
 	{ playground_families, &playground_family_count },
 	{ contraption_families, &contraption_family_count },
 	{ guided_families, &guided_family_count },
+	{ area_families, &area_family_count },
 };
 
 static int is_asked_for(const settings *set, const family *which)

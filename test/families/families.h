@@ -125,6 +125,9 @@ void set_velocity(scene *s, int32_t body, double vx, double vy, double w);
 /* Density at which the shapes made next, of this area, weigh mass_kg. */
 void set_mass(scene *s, double mass_kg, double area_m2);
 
+/* A rectangle of the world with a medium: its density (0: none), its drag, damping, velocity, and an acceleration beside gravity. */
+void add_area(scene *s, double x, double y, double half_x, double half_y, double density, double drag, double damping, double flow_x, double lift);
+
 /* It keeps its angle. */
 void lock_rotation(scene *s, int32_t body);
 
@@ -208,8 +211,8 @@ double cpu_clock_s(void);
 
 /* ---- generators ---- */
 
-extern const family cloth_families[], mechanism_families[], machine_families[], rope_families[], figure_families[], vehicle_families[], structure_families[], heap_families[], workshop_families[], compound_families[], playground_families[], contraption_families[], guided_families[];
-extern const int32_t cloth_family_count, mechanism_family_count, machine_family_count, rope_family_count, figure_family_count, vehicle_family_count, structure_family_count, heap_family_count, workshop_family_count, compound_family_count, playground_family_count, contraption_family_count, guided_family_count;
+extern const family cloth_families[], mechanism_families[], machine_families[], rope_families[], figure_families[], vehicle_families[], structure_families[], heap_families[], workshop_families[], compound_families[], playground_families[], contraption_families[], guided_families[], area_families[];
+extern const int32_t cloth_family_count, mechanism_family_count, machine_family_count, rope_family_count, figure_family_count, vehicle_family_count, structure_family_count, heap_family_count, workshop_family_count, compound_family_count, playground_family_count, contraption_family_count, guided_family_count, area_family_count;
 #define FAMILY_COUNT(table) ((int32_t)(sizeof(table) / sizeof *(table)))
 
 #endif

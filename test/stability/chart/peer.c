@@ -101,6 +101,14 @@ LACKS_JOINT(motor, "motors to a pose")
 LACKS_CONSTRAINT(angle)
 LACKS_CONSTRAINT(line)
 
+void cn_area_def_init(cn_area_def *def) { memset(def, 0, sizeof *def); }
+
+cn_result cn_shape_set_area(cn_world *world, cn_shape shape, const cn_area_def *def)
+{
+	(void)world, (void)shape, (void)def;
+	return peer_refuse("the adapter has no areas");
+}
+
 cn_result cn_body_set_flags(cn_world *world, cn_body body, uint32_t flags)
 {
 	(void)world, (void)body, (void)flags;
