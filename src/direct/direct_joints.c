@@ -46,9 +46,12 @@ static int32_t may_be_straight(const cn_world *world, const cni_sparse *sparse, 
 	return 1;
 }
 
-/* How far the two points of a pin, the ends of a rod or a rope, or a point beside its slide are from where they belong. */
-static float gap_of(const cni_joint_constraint *w)
+/* How far the two points of a pin, the ends of a rod or a rope, or a point beside its slide are from where they belong. Rows of joints that were
+   made or put apart do not know. */
+static float gap_of(const cni_joint_constraint *w, uint32_t torn)
 {
+	if (w->flags & torn)
+		return FLT_MAX;
 	switch (w->record->type) {
 	case CN_JOINT_REVOLUTE: case CN_JOINT_FIXED: return cni_length(w->start.d);
 	case CN_JOINT_DISTANCE: return cni_joint_is_rope(w->record) ? cni_max(cni_length(w->start.d) - w->record->p[CNI_P_UPPER], 0.0f) : cni_abs(cni_length(w->start.d) - w->record->p[CNI_P_LENGTH]);
@@ -59,8 +62,9 @@ static float gap_of(const cni_joint_constraint *w)
 static float widest_gap(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
 	float most = 0.0f;
+	uint32_t torn = c->loops ? CNI_CONSTRAINT_TORN : CNI_CONSTRAINT_APART;
 	for (int32_t k = c->begin; k < c->end; ++k)
-		most = cni_max(most, gap_of(cni_joint_constraints(world) + sparse->nodes[k].owner));
+		most = cni_max(most, gap_of(cni_joint_constraints(world) + sparse->nodes[k].owner, torn));
 	return most;
 }
 
@@ -144,9 +148,9 @@ static void soften_for(cn_world *world, cni_sparse *sparse, cni_component *c, in
 
 /* A component with a joint that was torn open, by a body that was put elsewhere or by moving parts that pull it apart: exact joints turn
    its bodies so far while they close the gap that linear systems say nothing of it. It is soft until the gap is closed. */
-static int32_t is_torn(const cn_world *world, const cni_component *c, float gap)
+static int32_t is_torn(const cni_solve *s, const cni_component *c, float gap)
 {
-	return !c->has_contacts && gap > CNI_JOINT_TORN * world->settings.length_unit;
+	return !c->has_contacts && gap > s->joint_gap_most;
 }
 
 /* A loop that has opened, as one that was soft, or put together so, or moved by force. To close it exact joints would straighten a row between fixed
@@ -278,7 +282,7 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 		bodies_look(world, out, c);
 		c->uses_rattle = CNI_ON(RATTLE) && !c->has_contacts && cni_component_uses_rattle(world, s, out, c);
 		float gap = c->has_contacts ? 0.0f : widest_gap(world, out, c);
-		if (is_torn(world, c, gap)) {
+		if (is_torn(s, c, gap)) {
 			impulses_soften(world, out, c);
 			cni_component_release(world, out, c);
 		} else if (is_contradictory(world, out, c) || loop_is_better_soft(world, out, c))

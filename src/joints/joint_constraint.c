@@ -147,19 +147,30 @@ static void rows_lock(cni_row *rows, int32_t count, uint32_t flags)
 	}
 }
 
-/* Gap of a row in metres: the error of a rigid one, what a limit is beyond. */
+/* Gap of a row, in metres or radians: the error of a rigid one, what a limit is beyond. */
 static float row_gap(const cni_row *r)
 {
-	if (r->angular || (r->kind != CNI_ROW_RIGID && r->kind != CNI_ROW_LIMIT))
+	if (r->kind != CNI_ROW_RIGID && r->kind != CNI_ROW_LIMIT)
 		return 0.0f;
 	return r->kind == CNI_ROW_LIMIT ? cni_min(r->error, 0.0f) : r->error;
 }
 
-static void rows_bound_gaps(cni_row *rows, int32_t count, float most)
+/* How much of it the row sees. */
+static float row_gap_most(const cni_solve *s, const cni_row *r)
+{
+	return r->angular ? s->joint_turn_most : s->joint_gap_most;
+}
+
+static int32_t row_is_apart(const cni_solve *s, const cni_row *r)
+{
+	return cni_abs(row_gap(r)) > row_gap_most(s, r);
+}
+
+static void rows_bound_gaps(const cni_solve *s, cni_row *rows, int32_t count)
 {
 	for (int32_t k = 0; k < count; ++k)
-		if (cni_abs(row_gap(&rows[k])) > most)
-			rows[k].error = rows[k].error > 0.0f ? most : -most;
+		if (row_is_apart(s, &rows[k]))
+			rows[k].error = rows[k].error > 0.0f ? row_gap_most(s, &rows[k]) : -row_gap_most(s, &rows[k]);
 }
 
 static int32_t rows_make(const cni_joint_constraint *w, const cni_joint_frame *f, cni_row *rows)
@@ -176,7 +187,7 @@ static void rows_build(const cni_solve *s, cni_joint_constraint *w, const cni_mo
 	cni_joint_frame f = constraint_frame(w, a, b);
 	w->row_count = rows_make(w, &f, w->rows);
 	if (w->flags & CNI_CONSTRAINT_APART)
-		rows_bound_gaps(w->rows, w->row_count, s->joint_gap_most);
+		rows_bound_gaps(s, w->rows, w->row_count);
 	for (int32_t k = 0; w->rigid_count < 0; ++k)
 		if (k == w->row_count || (w->rows[k].kind != CNI_ROW_RIGID && w->rows[k].kind != CNI_ROW_DRIVE))
 			w->rigid_count = k;
@@ -275,13 +286,13 @@ static void constraint_soften(cni_joint_constraint *w, const cni_joint *j, const
 static void apart_begin(cn_world *world, const cni_solve *s, cni_joint_constraint *w)
 {
 	cni_row rows[CNI_JOINT_ROWS];
-	float gap = 0.0f;
-	int32_t count = w->make_rows(w->record, &w->start, rows);
-	for (int32_t k = 0; k < count; ++k)
-		gap = cni_max(gap, cni_abs(row_gap(&rows[k])));
-	if (gap > s->joint_gap_most && !(w->flags & CNI_CONSTRAINT_SPRINGY))
-		w->flags |= CNI_CONSTRAINT_APART;
-	else
+	int32_t count;
+	w->start.angle = cni_joint_frame_angle(world, w->record);
+	count = w->make_rows(w->record, &w->start, rows);
+	for (int32_t k = 0; k < count && !(w->flags & CNI_CONSTRAINT_SPRINGY); ++k)
+		if (row_is_apart(s, &rows[k]))
+			w->flags |= CNI_CONSTRAINT_APART | (rows[k].kind == CNI_ROW_RIGID ? CNI_CONSTRAINT_TORN : 0u);
+	if (!(w->flags & CNI_CONSTRAINT_APART))
 		cni_joint_at(world, w->joint)->apart = 0;
 }
 

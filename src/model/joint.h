@@ -34,7 +34,7 @@ typedef struct cni_joint {
 	int32_t next[2], prev[2];  /* keys in the bodies' lists: joint << 1 | side */
 	int32_t awake;             /* index in the awake list, CNI_NONE */
 	uint16_t linked;           /* 1: links two dynamic bodies' islands */
-	uint16_t apart;            /* 1: made or put where it may have a gap: apart_begin in joints/joint_constraint.c */
+	uint16_t apart;            /* 1: made, put or changed so that it may have a gap: apart_begin in joints/joint_constraint.c */
 	int32_t solver;            /* its own: CN_SOLVER_AUTO, _SOFT or _DIRECT */
 	cni_vec2 anchor[2];        /* in the bodies' frames, or the world */
 	float impulse[CNI_JOINT_ROWS]; /* accumulated, by row meaning of the type */

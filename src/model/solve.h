@@ -82,6 +82,7 @@ typedef struct cni_solve {
 	cni_contact_pass contact[CNI_CONTACTS_KINDS];
 	cni_soft joint;
 	float joint_gap_most;     /* of a joint that was made or put apart, m: what rows see of its gap */
+	float joint_turn_most;    /* ... of an angle, rad */
 	float restless_speed;     /* joints are relaxed again while that changes a velocity by more */
 	const struct cni_contact_kernel *kernel;
 	const struct cni_joint_kernel *joint_kernel;

@@ -180,9 +180,6 @@ CNI_TUNING_FLOAT(CNI_DIRECT_LEAK, 1e-5f)
 
 /* ---------------------------------------------------------------- direct: joints */
 
-/* Length units. Joints that are open by more are soft, with those that are joined to them. With 0.12 ropes over pegs that were torn in an impact
-   open by 13% more, as they are soft under their loads and stay open. */
-CNI_TUNING_FLOAT(CNI_JOINT_TORN, 0.25f)
 /* Length units a second squared, times the square of a substep, as what soft joints leave open: 2 mm at 240 substeps a second. A loop
    (is_open_loop), or an ill scaled tree that was soft, is soft while a joint is open by more: of a straight bridge, closing many small gaps takes
    away all of its sag. */
@@ -323,7 +320,9 @@ CNI_TUNING_FLOAT(CNI_CONE_FRICTION_LEAST, 1e-4f)
 CNI_TUNING_FLOAT(CNI_JOINT_TURN_MOST, 0.3f)
 /* Length units a second. */
 CNI_TUNING_FLOAT(CNI_JOINT_RESTLESS, 1.0f)
-/* Length units. Rows of joints that were made or put apart see no greater gaps: at 240 substeps a second they close at 75 times as much a second. */
+/* Length units. Rows of joints that were made or put apart see no greater gaps: at 240 substeps a second they close at 75 times as much a second.
+   Joints that are open by more, in whatever way, are soft, with those that are joined to them. With 0.12 ropes over pegs that were torn in an
+   impact open by 13% more, as they are soft under their loads and stay open. */
 CNI_TUNING_FLOAT(CNI_JOINT_GAP_MOST, 0.25f)
 /* Length units a second. With more substeps they see less, and close at this speed. With 15 rows are weaker at 240 substeps, too, and a tangle of
    soft joints that were made apart reaches 400 m/s. */

@@ -110,7 +110,8 @@ cni_solve cni_solve_make(const cn_world *world, float dt, int32_t substeps)
 		s.contact[kind] = contact_pass_make(world, &s, kind);
 	s.restless_speed = CNI_JOINT_RESTLESS * set->length_unit;
 	s.joint = cni_soft_implicit(joint_hertz(&s), 2.0f, s.h);
-	s.joint_gap_most = cni_min(CNI_JOINT_GAP_MOST, CNI_JOINT_CLOSING_MOST / cni_soft_error_rate(&s.joint, 1)) * set->length_unit;
+	s.joint_turn_most = cni_min(CNI_JOINT_GAP_MOST, CNI_JOINT_CLOSING_MOST / cni_soft_error_rate(&s.joint, 1));
+	s.joint_gap_most = s.joint_turn_most * set->length_unit;
 	s.pushed_most = dt * cni_min(set->slop * cni_soft_error_rate(&s.contact[0].soft, 1), 0.5f * set->push_speed_max); /* a slop is left */
 	s.kernel = cni_contact_kernel_choose();
 	if (CNI_HAS_JOINTS)

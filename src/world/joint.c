@@ -48,6 +48,7 @@ void cni_joint_change_flags(cn_world *world, int32_t joint, uint32_t flags)
 		cni_joint_link(world, joint);
 	}
 	j->flags = flags;
+	j->apart = 1;
 	forget_missing_rows(world, j);
 	cni_joint_wake_bodies(world, j);
 }
@@ -96,6 +97,7 @@ cn_result cn_joint_set_limits(cn_world *world, cn_joint joint, float lower, floa
 		return call.result;
 	j->p[CNI_P_LOWER] = lower;
 	j->p[CNI_P_UPPER] = upper;
+	j->apart = 1;
 	cni_joint_wake_bodies(world, j);
 	return CN_OK;
 }
