@@ -257,6 +257,7 @@ cn_result cn_joint_set_base(cn_world *world, cn_joint joint, const cn_joint_base
 	if (call.result != CN_OK)
 		return call.result;
 	cni_joint_def_store(j, CNI_JOINT_STRENGTH, base);
+	j->apart = 1;
 	cni_joint_wake_bodies(world, j);
 	return CN_OK;
 }

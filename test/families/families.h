@@ -69,6 +69,7 @@ typedef struct scene {
 	double joint_hertz, joint_force; /* > 0: the stiffness, the greatest force and torque; then the joint's error is not measured */
 	/* Of the run. */
 	double dt_s, seconds;
+	int32_t substeps;
 	int32_t vary;  /* 1: frames of 0.5 to 1.5 times dt_s */
 	uint32_t flags;
 	/* What was made. */

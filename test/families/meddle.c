@@ -30,7 +30,12 @@ enum {
 	MEDDLE_VANISH,   /* a part is disabled for a while */
 	MEDDLE_TIE,      /* a rod joins a part to another for a while */
 	MEDDLE_GROW,     /* a part changes its size by 0.7 to 1.4 */
-	MEDDLE_KINDS = MEDDLE_GROW
+	MEDDLE_TURN,     /* a part is turned, by up to half a turn */
+	MEDDLE_CHANGE,   /* a rod changes its length by 0.5 to 2, a weld or slide its angle by up to a radian */
+	MEDDLE_SOFTEN,   /* a joint has a stiffness of 1 to 60 Hz, or a greatest force of 0.1 to 10 weights, for a while */
+	MEDDLE_STEP,     /* the number of substeps is 1 to 16 for a while */
+	MEDDLE_JOIN,     /* a part is welded or pinned to another where both are */
+	MEDDLE_KINDS = MEDDLE_JOIN
 };
 
 void meddle_begin(scene *s, int32_t kind)
@@ -101,6 +106,87 @@ static cn_result joint_flag(scene *s, cn_joint joint, uint32_t flag, int32_t set
 	uint32_t flags;
 	cn_result result = cn_joint_get_flags(s->world, joint, &flags);
 	return result == CN_OK ? cn_joint_set_flags(s->world, joint, set ? flags | flag : flags & ~flag) : result;
+}
+
+static cn_result change_angle(scene *s, scene_joint *j, double by)
+{
+	cn_fixed_def weld;
+	cn_prismatic_def slide;
+	cn_result result;
+	j->reference += by;
+	if (j->type == CN_JOINT_FIXED) {
+		result = cn_joint_get_fixed(s->world, j->handle, &weld);
+		weld.reference_angle_rad += (float)by;
+		return result == CN_OK ? cn_joint_set_fixed(s->world, j->handle, &weld) : result;
+	}
+	result = cn_joint_get_prismatic(s->world, j->handle, &slide);
+	slide.reference_angle_rad += (float)by;
+	return result == CN_OK ? cn_joint_set_prismatic(s->world, j->handle, &slide) : result;
+}
+
+static cn_result act_change(scene *s)
+{
+	scene_joint *j = s->joint_count > 0 ? &s->joints[pick_int(s, 0, s->joint_count - 1)] : NULL;
+	double by = pick(s, -1.0, 1.0), times = pick_log(s, 0.5, 2.0);
+	cn_distance_def rod;
+	cn_result result;
+	if (j == NULL || j->handle == 0)
+		return CN_OK;
+	if (j->type == CN_JOINT_FIXED || j->type == CN_JOINT_PRISMATIC)
+		return change_angle(s, j, by);
+	if (j->type != CN_JOINT_DISTANCE || j->lower != j->upper)
+		return CN_OK;
+	result = cn_joint_get_distance(s->world, j->handle, &rod);
+	rod.length_m *= (float)times;
+	j->lower *= times;
+	j->upper *= times;
+	return result == CN_OK ? cn_joint_set_distance(s->world, j->handle, &rod) : result;
+}
+
+/* Of the joint that s->driven is; weak 0: as strong as any. */
+static cn_result strength_set(scene *s, double weak, double hertz)
+{
+	cn_joint_base base;
+	cn_result result = cn_joint_get_base(s->world, s->driven, &base);
+	base.force_max_N = base.torque_max_Nm = weak > 0.0 ? (float)weak : (float)CN_DEFAULT;
+	base.stiffness_hertz = hertz > 0.0 ? (float)hertz : (float)CN_DEFAULT;
+	base.stiffness_damping_ratio = 0.5f;
+	return result == CN_OK ? cn_joint_set_base(s->world, s->driven, &base) : result;
+}
+
+static cn_result act_soften(scene *s)
+{
+	scene_joint *j = s->joint_count > 0 ? &s->joints[pick_int(s, 0, s->joint_count - 1)] : NULL;
+	double hertz = pick_log(s, 1.0, 60.0), weights = pick_log(s, 0.1, 10.0);
+	int32_t weak = chance(s, 0.5);
+	if (j == NULL || j->handle == 0 || j->type < 0 || j->type >= ANGLE_CONSTRAINT)
+		return CN_OK;
+	s->driven = j->handle;
+	return strength_set(s, weak ? weights * GRAVITY * s->bodies[j->b].mass : 0.0, weak ? 0.0 : hertz);
+}
+
+static cn_result act_join(scene *s, int32_t body)
+{
+	int32_t other = pick_body(s, 1);
+	const scene_body *b = &s->bodies[body], *a = other == WORLD ? NULL : &s->bodies[other];
+	int32_t weld = chance(s, 0.5);
+	cn_vec2 local;
+	cn_joint joint;
+	cn_fixed_def fixed;
+	cn_revolute_def pin;
+	if (a == NULL || other == body || hypot(a->px - b->px, a->py - b->py) > a->reach + b->reach + 1.0)
+		return CN_OK;
+	cn_fixed_def_init(&fixed);
+	cn_revolute_def_init(&pin);
+	if (cn_body_get_local_point(s->world, a->handle, (float)b->px, (float)b->py, &local) != CN_OK)
+		return CN_OK;
+	fixed.base.body_a = pin.base.body_a = a->handle;
+	fixed.base.body_b = pin.base.body_b = b->handle;
+	fixed.base.anchor_a_m = pin.base.anchor_a_m = local;
+	fixed.reference_angle_rad = (float)remainder(b->turned - a->turned, 2.0 * PI);
+	fixed.base.flags |= CN_JOINT_COLLIDE;
+	pin.base.flags |= CN_JOINT_COLLIDE;
+	return weld ? cn_joint_create_fixed(s->world, &fixed, &joint) : cn_joint_create_revolute(s->world, &pin, &joint);
 }
 
 static cn_result act_limit(scene *s)
@@ -222,6 +308,12 @@ static cn_result act_begin(scene *s)
 		return act_limit(s);
 	if (s->meddle == MEDDLE_MOTOR)
 		return act_motor(s);
+	if (s->meddle == MEDDLE_CHANGE)
+		return act_change(s);
+	if (s->meddle == MEDDLE_SOFTEN)
+		return act_soften(s);
+	if (s->meddle == MEDDLE_STEP)
+		return cn_world_set_substep_count(s->world, pick_int_log(s, 1, 16));
 	if (s->meddle == MEDDLE_GRAVITY)
 		return cn_world_set_gravity(s->world, (float)(GRAVITY * sin(angle)), (float)(-GRAVITY * cos(angle)));
 	if (b == NULL)
@@ -245,6 +337,10 @@ static cn_result act_begin(scene *s)
 		return act_tie(s, b);
 	case MEDDLE_GROW:
 		return act_grow(s, body);
+	case MEDDLE_JOIN:
+		return act_join(s, body);
+	case MEDDLE_TURN:
+		return cn_body_set_pose(s->world, b->handle, (float)b->px, (float)b->py, (float)(b->turned + angle));
 	case MEDDLE_MASS:
 		return act_mass(s, b);
 	case MEDDLE_PUT:
@@ -263,8 +359,10 @@ static cn_result act_end(scene *s)
 		result = cn_world_set_gravity(s->world, 0.0f, (float)-GRAVITY);
 	if ((s->meddle == MEDDLE_HOLD || s->meddle == MEDDLE_PULL) && s->held != WORLD)
 		result = cn_body_set_type(s->world, s->bodies[s->held].handle, CN_BODY_DYNAMIC);
-	if (s->driven != 0)
-		result = joint_flag(s, s->driven, CN_JOINT_MOTOR, 0);
+	if (s->driven != 0 && cn_joint_is_valid(s->world, s->driven))
+		result = s->meddle == MEDDLE_SOFTEN ? strength_set(s, 0.0, 0.0) : joint_flag(s, s->driven, CN_JOINT_MOTOR, 0);
+	if (s->meddle == MEDDLE_STEP)
+		result = cn_world_set_substep_count(s->world, s->substeps);
 	s->driven = 0;
 	if ((s->meddle == MEDDLE_LOCK || s->meddle == MEDDLE_VANISH) && s->held != WORLD)
 		result = cn_body_set_flags(s->world, s->bodies[s->held].handle, (uint32_t)CN_BODY_ENABLED | (uint32_t)CN_BODY_SLEEP);

@@ -76,6 +76,7 @@ static void begin_scene(scene *s, const family *which, int32_t seed, const run_s
 		def.substep_count = settings->substeps;
 	def.gravity_mps2.y = (float)-GRAVITY;
 	def.flags &= ~(uint32_t)CN_WORLD_SLEEP;
+	s->substeps = def.substep_count;
 	if (cn_world_def_check(&def, s->refusal, (int32_t)sizeof s->refusal) != CN_OK)
 		return;
 	s->refusal[0] = '\0';

@@ -480,6 +480,51 @@ static void parts_that_are_turned_away_close_at_a_bounded_speed(void)
 			}
 }
 
+/* A pin of a hanging chain bears next to nothing, or is a spring, for so many steps, and is then as strong as the others. */
+static double strong_again_speed(int32_t solver, int32_t substeps, int32_t soft, int32_t steps)
+{
+	cn_world *world = fixture_world(-10.0f, 0);
+	cn_body links[12];
+	cn_joint joints[12];
+	cn_joint_base strong, weak;
+	double fastest = 0.0;
+	int32_t step, k;
+	must(cn_world_set_solver(world, solver), world, "cn_world_set_solver");
+	must(cn_world_set_substep_count(world, substeps), world, "cn_world_set_substep_count");
+	make_chain(world, 12, 0.0f, -1.0f, links, joints);
+	must(cn_joint_get_base(world, joints[5], &strong), world, "cn_joint_get_base");
+	weak = strong;
+	if (soft)
+		weak.stiffness_hertz = 0.2f;
+	else
+		weak.force_max_N = 0.01f;
+	must(cn_joint_set_base(world, joints[5], &weak), world, "cn_joint_set_base");
+	fixture_step(world, steps);
+	must(cn_joint_set_base(world, joints[5], &strong), world, "cn_joint_set_base");
+	for (step = 0; step < 60; ++step) {
+		fixture_step(world, 1);
+		for (k = 0; k < 12; ++k) {
+			cn_vec2 v = fixture_velocity(world, links[k]).linear_mps;
+			fastest = greater(fastest, hypot((double)v.x, (double)v.y));
+		}
+	}
+	cn_world_destroy(world);
+	return fastest;
+}
+
+static void joints_that_are_strong_again_close_at_a_bounded_speed(void)
+{
+	int32_t solver, soft, substeps, steps;
+	for (solver = CN_SOLVER_AUTO; solver <= CN_SOLVER_SOFT; ++solver)
+		for (substeps = 4; substeps <= 32; substeps += 28) {
+			double fastest = 0.0;
+			for (soft = 0; soft < 2; ++soft)
+				for (steps = 10; steps <= 40; steps += 10)
+					fastest = greater(fastest, strong_again_speed(solver, substeps, soft, steps));
+			CHECK_LE("greatest speed", fastest, 10.0, "m/s");
+		}
+}
+
 int main(int argc, char **argv)
 {
 	test_begin(argc, argv);
@@ -494,5 +539,6 @@ int main(int argc, char **argv)
 	RUN(parts_that_are_put_away_close_at_a_bounded_speed);
 	RUN(sliders_that_are_put_away_close_at_a_bounded_speed);
 	RUN(parts_that_are_turned_away_close_at_a_bounded_speed);
+	RUN(joints_that_are_strong_again_close_at_a_bounded_speed);
 	return test_end();
 }
