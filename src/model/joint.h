@@ -21,7 +21,7 @@ static inline int32_t cni_joint_is_constraint(int32_t type) { return type >= CNI
 /* Memory of failed direct solutions. Joints carry it, not components, so that it survives merging and splitting of islands. */
 typedef struct cni_joint_trust {
 	float surplus;             /* joules: this joint's share of the energy that steps have gained: direct/rattle.c */
-	uint32_t until;            /* the failed solver is not tried again before this step */
+	uint32_t until;            /* the failed solver is not tried again before this step; not in the awake list: counted from when it left */
 	uint16_t span;             /* steps from the failure to that step; 0: nothing has failed */
 	uint8_t soft;              /* 1: soft until then; 0: may be solved directly, but not by RATTLE */
 	uint8_t direct;            /* 1: its rows were solved directly in the last step */

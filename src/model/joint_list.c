@@ -51,6 +51,9 @@ void cni_joint_enter_awake_list(cn_world *world, int32_t joint)
 	cni_joint *j = cni_joint_at(world, joint);
 	if (j->awake != CNI_NONE || j->type == CN_JOINT_FILTER || !cni_joint_is_enabled(world, j))
 		return;
+	j->trust.until += world->step_count;
+	if (j->trust.soft && j->trust.until > world->joints_soft_step)
+		world->joints_soft_step = j->trust.until;
 	j->awake = world->awake_joints.count;
 	((int32_t *)world->awake_joints.data)[world->awake_joints.count++] = joint;
 }
@@ -61,6 +64,7 @@ void cni_joint_leave_awake_list(cn_world *world, int32_t joint)
 	int32_t *list = (int32_t *)world->awake_joints.data;
 	if (j->awake == CNI_NONE)
 		return;
+	j->trust.until -= world->step_count;
 	int32_t last = list[--world->awake_joints.count];
 	list[j->awake] = last;
 	cni_joint_at(world, last)->awake = j->awake;

@@ -175,6 +175,84 @@ static void what_is_held_beyond_a_limit_is_let_go_calmly(void)
 	CHECK_LE("speed of an arm that was held beyond its limit / with soft constraints", worst, 1.1, "");
 }
 
+/* ---- what is jammed ---- */
+
+static cn_body lift_part(scene *s, float x, float y, float angle, float half_x, float half_y)
+{
+	cn_body body = fixture_body(s->world, CN_BODY_DYNAMIC, x, y, angle);
+	cn_shape_def shape = fixture_shape_def(body, 0.6f, 0.0f);
+	shape.filter.group = -1;
+	fixture_box_shape(s->world, &shape, half_x, half_y);
+	return keep(s, body);
+}
+
+/* A scissor lift of bars 3 m wide that rise by 0.4 m a stage, whose foot a motor pulls outwards to its limit, by force. */
+static void lift_make(scene *s, int32_t stages, float force)
+{
+	const float half = 1.5f, rise = 0.2f;
+	float length = hypotf(half, rise), angle = atan2f(rise, half), y = 0.5f;
+	cn_body base = lift_part(s, 0.0f, 0.2f, 0.0f, half + 0.5f, 0.2f), below[2] = { 0, 0 };
+	cn_prismatic_def slide;
+	int32_t k;
+	for (k = 0; k < stages; ++k, y += 2.0f * rise) {
+		cn_body rising = lift_part(s, 0.0f, y + rise, angle, length, 0.04f), falling = lift_part(s, 0.0f, y + rise, -angle, length, 0.04f);
+		pin(s, rising, at(0.0f, 0.0f), falling, at(0.0f, 0.0f));
+		pin(s, k > 0 ? below[1] : base, k > 0 ? at(-length, 0.0f) : at(-half, y - 0.2f), rising, at(-length, 0.0f));
+		if (k > 0) {
+			pin(s, below[0], at(length, 0.0f), falling, at(length, 0.0f));
+		} else {
+			cn_body foot = lift_part(s, half, y, 0.0f, 0.1f, 0.1f);
+			cn_prismatic_def_init(&slide);
+			connect(&slide.base, base, at(half, y - 0.2f), foot, at(0.0f, 0.0f));
+			slide.axis = at(1.0f, 0.0f);
+			slide.base.flags |= CN_JOINT_MOTOR | CN_JOINT_LIMIT;
+			slide.lower_m = -0.5f * half;
+			slide.upper_m = 0.1f;
+			slide.motor_speed_mps = 0.5f;
+			slide.motor_force_max_N = force;
+			make_prismatic(s->world, &slide);
+			pin(s, foot, at(0.0f, 0.0f), falling, at(length, 0.0f));
+		}
+		below[0] = rising;
+		below[1] = falling;
+	}
+}
+
+/* Greatest speed in the second after a lift that fell asleep is woken, m/s; counts it. */
+static double jammed_lift_speed(int32_t stages, float force, int32_t *asleep)
+{
+	scene s = scene_open(10.0, 1, CN_SOLVER_AUTO);
+	double fastest = 0.0;
+	int32_t k;
+	fixture_floor(s.world, 0.6f, 0.0f);
+	lift_make(&s, stages, force);
+	for (k = 0; k < 1500 && (k < 10 || fixture_counters(s.world).bodies_awake > 0); ++k)
+		fixture_step(s.world, 1);
+	*asleep += fixture_counters(s.world).bodies_awake == 0;
+	fixture_step(s.world, 400);
+	for (k = 0; k < s.body_count; ++k)
+		must(cn_body_set_awake(s.world, s.bodies[k], 1), s.world, "cn_body_set_awake");
+	for (k = 0; k < 60; ++k) {
+		fixture_step(s.world, 1);
+		fastest = greater(fastest, fastest_of(&s, s.bodies, s.body_count));
+	}
+	scene_close(&s);
+	return fastest;
+}
+
+/* Exact joints had been given up there. Those that are tried again when it wakes would throw it. */
+static void what_is_jammed_wakes_calmly(void)
+{
+	double fastest = 0.0;
+	int32_t stages, asleep = 0;
+	for (stages = 1; stages <= 3; ++stages) {
+		fastest = greater(fastest, jammed_lift_speed(stages, 1e5f, &asleep));
+		fastest = greater(fastest, jammed_lift_speed(stages, 1e6f, &asleep));
+	}
+	CHECK_GE("jammed lifts of 6 that fall asleep", asleep, 4, "");
+	CHECK_LE("greatest speed of a jammed lift that wakes", fastest, 0.05, "m/s");
+}
+
 /* ---- straight bridges ---- */
 
 static void bridge_joint_add(scene *s, int32_t k, int32_t planks, float torque, int32_t welds)
@@ -741,5 +819,6 @@ int main(void)
 	RUN(straight_bridges_rest);
 	RUN(welded_arches_bear_themselves);
 	RUN(what_is_held_beyond_a_limit_is_let_go_calmly);
+	RUN(what_is_jammed_wakes_calmly);
 	return test_end();
 }
