@@ -35,7 +35,8 @@ enum {
 	MEDDLE_SOFTEN,   /* a joint has a stiffness of 1 to 60 Hz, or a greatest force of 0.1 to 10 weights, for a while */
 	MEDDLE_STEP,     /* the number of substeps is 1 to 16 for a while */
 	MEDDLE_JOIN,     /* a part is welded or pinned to another where both are */
-	MEDDLE_KINDS = MEDDLE_JOIN
+	MEDDLE_KINDS = MEDDLE_JOIN,
+	MEDDLE_SOLVER    /* a part and a joint are solved directly, or softly, for a while: by its number alone */
 };
 
 void meddle_begin(scene *s, int32_t kind)
@@ -189,6 +190,18 @@ static cn_result act_join(scene *s, int32_t body)
 	return weld ? cn_joint_create_fixed(s->world, &fixed, &joint) : cn_joint_create_revolute(s->world, &pin, &joint);
 }
 
+static cn_result act_solver(scene *s, int32_t body)
+{
+	scene_joint *j = s->joint_count > 0 ? &s->joints[pick_int(s, 0, s->joint_count - 1)] : NULL;
+	int32_t of_body = pick_int(s, CN_SOLVER_SOFT, CN_SOLVER_DIRECT), of_joint = pick_int(s, CN_SOLVER_SOFT, CN_SOLVER_DIRECT);
+	cn_result result = CN_OK;
+	if (j != NULL && j->handle != 0 && j->type >= 0 && j->type < ANGLE_CONSTRAINT) {
+		s->driven = j->handle;
+		result = cn_joint_set_solver(s->world, j->handle, of_joint);
+	}
+	return result == CN_OK ? cn_body_set_solver(s->world, s->bodies[body].handle, of_body) : result;
+}
+
 static cn_result act_limit(scene *s)
 {
 	scene_joint *j = pick_joint(s);
@@ -337,6 +350,8 @@ static cn_result act_begin(scene *s)
 		return act_tie(s, b);
 	case MEDDLE_GROW:
 		return act_grow(s, body);
+	case MEDDLE_SOLVER:
+		return act_solver(s, body);
 	case MEDDLE_JOIN:
 		return act_join(s, body);
 	case MEDDLE_TURN:
@@ -359,8 +374,12 @@ static cn_result act_end(scene *s)
 		result = cn_world_set_gravity(s->world, 0.0f, (float)-GRAVITY);
 	if ((s->meddle == MEDDLE_HOLD || s->meddle == MEDDLE_PULL) && s->held != WORLD)
 		result = cn_body_set_type(s->world, s->bodies[s->held].handle, CN_BODY_DYNAMIC);
-	if (s->driven != 0 && cn_joint_is_valid(s->world, s->driven))
+	if (s->driven != 0 && s->meddle == MEDDLE_SOLVER)
+		result = cn_joint_set_solver(s->world, s->driven, CN_SOLVER_AUTO);
+	else if (s->driven != 0)
 		result = s->meddle == MEDDLE_SOFTEN ? strength_set(s, 0.0, 0.0) : joint_flag(s, s->driven, CN_JOINT_MOTOR, 0);
+	if (s->meddle == MEDDLE_SOLVER && s->held != WORLD)
+		result = cn_body_set_solver(s->world, s->bodies[s->held].handle, CN_SOLVER_AUTO);
 	if (s->meddle == MEDDLE_STEP)
 		result = cn_world_set_substep_count(s->world, s->substeps);
 	s->driven = 0;
