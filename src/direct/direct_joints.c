@@ -46,8 +46,8 @@ static int32_t may_be_straight(const cn_world *world, const cni_sparse *sparse, 
 	return 1;
 }
 
-/* How far the two points of a pin, the ends of a rod or a rope, or a point beside its slide are from where they belong. Rows of joints that were
-   made or put apart do not know. */
+/* How far the two points of a pin, the ends of a rod or a rope, or a point beside its slide are from where they belong. FLT_MAX: a joint with a
+   flag of `torn`, whose rows know but a part of its gap. */
 static float gap_of(const cni_joint_constraint *w, uint32_t torn)
 {
 	if (w->flags & torn)
@@ -59,6 +59,8 @@ static float gap_of(const cni_joint_constraint *w, uint32_t torn)
 	}
 }
 
+/* A limit that is apart does not tear a loop, whose joints may contradict it: exact limits close at the speed of overlaps. Soft ones would press a
+   bridge until it is thrown. */
 static float widest_gap(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
 	float most = 0.0f;

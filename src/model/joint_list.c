@@ -51,7 +51,7 @@ void cni_joint_enter_awake_list(cn_world *world, int32_t joint)
 	cni_joint *j = cni_joint_at(world, joint);
 	if (j->awake != CNI_NONE || j->type == CN_JOINT_FILTER || !cni_joint_is_enabled(world, j))
 		return;
-	j->trust.until += world->step_count;
+	j->trust.until = world->step_count + (uint32_t)cni_min_i((int32_t)j->trust.until, CNI_TRUST_MOST);
 	if (j->trust.soft && j->trust.until > world->joints_soft_step)
 		world->joints_soft_step = j->trust.until;
 	j->awake = world->awake_joints.count;

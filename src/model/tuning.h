@@ -320,7 +320,8 @@ CNI_TUNING_FLOAT(CNI_CONE_FRICTION_LEAST, 1e-4f)
 CNI_TUNING_FLOAT(CNI_JOINT_TURN_MOST, 0.3f)
 /* Length units a second. */
 CNI_TUNING_FLOAT(CNI_JOINT_RESTLESS, 1.0f)
-/* Length units. Rows of joints that were made or put apart see no greater gaps: at 240 substeps a second they close at 75 times as much a second.
+/* Length units and radians. Rows of joints that were made, put or changed so that they are apart see no greater gaps: at 240 substeps a second they
+   close at 75 times as much a second.
    Joints that are open by more, in whatever way, are soft, with those that are joined to them. With 0.12 ropes over pegs that were torn in an
    impact open by 13% more, as they are soft under their loads and stay open. */
 CNI_TUNING_FLOAT(CNI_JOINT_GAP_MOST, 0.25f)

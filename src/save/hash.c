@@ -37,14 +37,15 @@ static uint64_t hash_contact(uint64_t hash, const cn_world *world, int32_t conta
 
 static uint64_t hash_joint(uint64_t hash, const cn_world *world, int32_t joint)
 {
-	const cni_joint_trust *t = &cni_joint_at(world, joint)->trust;
-	int32_t waits = t->span > 0 && t->until > world->step_count;
-	uint32_t apart = cni_joint_at(world, joint)->apart;
+	const cni_joint *j = cni_joint_at(world, joint);
+	const cni_joint_trust *t = &j->trust;
+	int32_t left = (int32_t)(j->awake != CNI_NONE ? t->until - world->step_count : t->until);
+	uint32_t apart = j->apart;
 	if (t->surplus == 0.0f && t->span == 0 && !apart)
 		return hash;
 	hash = hash_word(hash, (uint32_t)joint);
 	hash = hash_float(hash, t->surplus);
-	hash = hash_word(hash, waits ? t->until - world->step_count : 0);
+	hash = hash_word(hash, t->span > 0 && left > 0 ? (uint32_t)left : 0);
 	return hash_word(hash, (uint32_t)t->span << 16 | apart << 8 | t->soft);
 }
 

@@ -4,8 +4,9 @@
  * normals of the solver lag.
  *
  * If the first test fails, look at the normals that lag (cni_normal_lag_sq in model/world.h), at load_update in contacts/contact_kernel.h, at
- * loads_clear in direct/solver_selection.c, and at may_sway in direct/contact_active_set.c; if the second fails, at the end of cni_direct_contacts_solve in direct/direct_contacts.c; if the third fails, at
- * is_slow in direct/heavy_contacts.c. For what is reported see lane_normal in model/contact_lane.c.
+ * loads_clear in direct/solver_selection.c, and at may_sway in direct/contact_active_set.c; if the second fails, at the end of
+ * cni_direct_contacts_solve in direct/direct_contacts.c; if the third fails, at is_slow in direct/heavy_contacts.c. For what is reported see
+ * lane_normal in model/contact_lane.c.
  */
 #include "fixture.h"
 
