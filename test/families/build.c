@@ -533,6 +533,14 @@ void add_motor_to(scene *s, int32_t a, int32_t b, double x, double y, double for
 
 /* ---- constraints on one body ---- */
 
+static void set_constraint_spring(const scene *s, float *hertz, float *damping_ratio)
+{
+	if (s->joint_hertz <= 0.0)
+		return;
+	*hertz = (float)s->joint_hertz;
+	*damping_ratio = 0.5f;
+}
+
 void add_angle_constraint(scene *s, int32_t body, double lower, double upper)
 {
 	scene_joint joint = begin_joint(s, ANGLE_CONSTRAINT, WORLD, body, 0.0, 0.0, 0.0, 0.0);
@@ -546,10 +554,7 @@ void add_angle_constraint(scene *s, int32_t body, double lower, double upper)
 	joint.upper = upper;
 	def.lower_rad = (float)lower;
 	def.upper_rad = (float)upper;
-	if (s->joint_hertz > 0.0) {
-		def.hertz = (float)s->joint_hertz;
-		def.damping_ratio = 0.5f;
-	}
+	set_constraint_spring(s, &def.hertz, &def.damping_ratio);
 	keep_joint(s, &joint, cn_constraint_create_angle(s->world, &def, &constraint));
 }
 
@@ -578,9 +583,6 @@ void add_line_constraint(scene *s, int32_t body, double x, double y, double axis
 		def.lower_m = (float)lower;
 		def.upper_m = (float)upper;
 	}
-	if (s->joint_hertz > 0.0) {
-		def.hertz = (float)s->joint_hertz;
-		def.damping_ratio = 0.5f;
-	}
+	set_constraint_spring(s, &def.hertz, &def.damping_ratio);
 	keep_joint(s, &joint, cn_constraint_create_line(s->world, &def, &constraint));
 }

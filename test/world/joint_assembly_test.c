@@ -260,6 +260,21 @@ static void free_assemblies_keep_momentum_and_gain_no_energy(void)
 	assembly_run(3, "tree of rods");
 }
 
+/* Greatest speed in so many steps of points that are arm metres from a body's centre, m/s. */
+static double fastest_over(cn_world *world, const cn_body *bodies, int32_t count, double arm, int32_t steps)
+{
+	double fastest = 0.0;
+	int32_t step, k;
+	for (step = 0; step < steps; ++step) {
+		fixture_step(world, 1);
+		for (k = 0; k < count; ++k) {
+			cn_velocity v = fixture_velocity(world, bodies[k]);
+			fastest = greater(fastest, hypot((double)v.linear_mps.x, (double)v.linear_mps.y) + arm * fabs((double)v.angular_radps));
+		}
+	}
+	return fastest;
+}
+
 /* Puts links of a hanging chain up to `way` metres away along either axis, three times. Returns the greatest speed, and in *left the widest joint
    at the end. friction_Nm > 0: of its pins, so that it is not for RATTLE. */
 static double put_chain_speed(int32_t solver, int32_t substeps, uint32_t random, float way, float friction_Nm, double *left)
@@ -283,11 +298,7 @@ static double put_chain_speed(int32_t solver, int32_t substeps, uint32_t random,
 			float x = pose.position_m.x + fixture_random(&random, -way, way), y = pose.position_m.y + fixture_random(&random, -way, way);
 			must(cn_body_set_pose(world, put, x, y, 0.0f), world, "cn_body_set_pose");
 		}
-		fixture_step(world, 1);
-		for (k = 0; k < 12; ++k) {
-			cn_vec2 v = fixture_velocity(world, links[k]).linear_mps;
-			fastest = greater(fastest, hypot((double)v.x, (double)v.y));
-		}
+		fastest = greater(fastest, fastest_over(world, links, 12, 0.0, 1));
 	}
 	*left = worst_joint_error(world);
 	cn_world_destroy(world);
@@ -349,18 +360,12 @@ static double put_slider_speed(int32_t kind, double turn, int32_t solver, int32_
 {
 	cn_world *world = fixture_world(-10.0f, 0);
 	cn_body disc = make_slider(world, kind, turn);
-	double fastest = 0.0;
-	int32_t step;
+	double fastest;
 	must(cn_world_set_solver(world, solver), world, "cn_world_set_solver");
 	must(cn_world_set_substep_count(world, substeps), world, "cn_world_set_substep_count");
 	fixture_step(world, 10);
 	must(cn_body_set_pose(world, disc, fixture_pose(world, disc).position_m.x, way, 0.0f), world, "cn_body_set_pose");
-	for (step = 0; step < 60; ++step) {
-		cn_vec2 v;
-		fixture_step(world, 1);
-		v = fixture_velocity(world, disc).linear_mps;
-		fastest = greater(fastest, hypot((double)v.x, (double)v.y));
-	}
+	fastest = fastest_over(world, &disc, 1, 0.0, 60);
 	cn_world_destroy(world);
 	return fastest;
 }
@@ -436,8 +441,8 @@ static double turned_speed(int32_t kind, int32_t solver, int32_t substeps, int32
 	cn_world *world = fixture_world(-10.0f, 0);
 	cn_body parts[3];
 	cn_joint joints[3];
-	double fastest = 0.0;
-	int32_t k, step;
+	double fastest;
+	int32_t k;
 	must(cn_world_set_solver(world, solver), world, "cn_world_set_solver");
 	must(cn_world_set_substep_count(world, substeps), world, "cn_world_set_substep_count");
 	for (k = 0; k < 3; ++k) {
@@ -453,13 +458,7 @@ static double turned_speed(int32_t kind, int32_t solver, int32_t substeps, int32
 		must(cn_joint_set_limits(world, joints[which], (float)turn - 0.1f, (float)turn), world, "cn_joint_set_limits");
 	else
 		turn_about_end(world, parts[which], turn);
-	for (step = 0; step < 60; ++step) {
-		fixture_step(world, 1);
-		for (k = 0; k < 3; ++k) {
-			cn_velocity v = fixture_velocity(world, parts[k]);
-			fastest = greater(fastest, hypot((double)v.linear_mps.x, (double)v.linear_mps.y) + 0.4 * fabs((double)v.angular_radps));
-		}
-	}
+	fastest = fastest_over(world, parts, 3, 0.4, 60);
 	cn_world_destroy(world);
 	return fastest;
 }
@@ -487,8 +486,7 @@ static double strong_again_speed(int32_t solver, int32_t substeps, int32_t soft,
 	cn_body links[12];
 	cn_joint joints[12];
 	cn_joint_base strong, weak;
-	double fastest = 0.0;
-	int32_t step, k;
+	double fastest;
 	must(cn_world_set_solver(world, solver), world, "cn_world_set_solver");
 	must(cn_world_set_substep_count(world, substeps), world, "cn_world_set_substep_count");
 	make_chain(world, 12, 0.0f, -1.0f, links, joints);
@@ -501,13 +499,7 @@ static double strong_again_speed(int32_t solver, int32_t substeps, int32_t soft,
 	must(cn_joint_set_base(world, joints[5], &weak), world, "cn_joint_set_base");
 	fixture_step(world, steps);
 	must(cn_joint_set_base(world, joints[5], &strong), world, "cn_joint_set_base");
-	for (step = 0; step < 60; ++step) {
-		fixture_step(world, 1);
-		for (k = 0; k < 12; ++k) {
-			cn_vec2 v = fixture_velocity(world, links[k]).linear_mps;
-			fastest = greater(fastest, hypot((double)v.x, (double)v.y));
-		}
-	}
+	fastest = fastest_over(world, links, 12, 0.0, 60);
 	cn_world_destroy(world);
 	return fastest;
 }
