@@ -150,9 +150,9 @@ static void soften_for(cn_world *world, cni_sparse *sparse, cni_component *c, in
 
 /* A component with a joint that was torn open, by a body that was put elsewhere or by moving parts that pull it apart: exact joints turn
    its bodies so far while they close the gap that linear systems say nothing of it. It is soft until the gap is closed. */
-static int32_t is_torn(const cni_solve *s, const cni_component *c, float gap)
+static int32_t is_torn(const cni_solve *s, float gap)
 {
-	return !c->has_contacts && gap > s->joint_gap_most;
+	return gap > s->joint_gap_most;
 }
 
 /* A loop that has opened, as one that was soft, or put together so, or moved by force. To close it exact joints would straighten a row between fixed
@@ -284,7 +284,7 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 		bodies_look(world, out, c);
 		c->uses_rattle = CNI_ON(RATTLE) && !c->has_contacts && cni_component_uses_rattle(world, s, out, c);
 		float gap = c->has_contacts ? 0.0f : widest_gap(world, out, c);
-		if (is_torn(s, c, gap)) {
+		if (is_torn(s, gap)) {
 			impulses_soften(world, out, c);
 			cni_component_release(world, out, c);
 		} else if (is_contradictory(world, out, c) || loop_is_better_soft(world, out, c))
