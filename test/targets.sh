@@ -17,7 +17,7 @@ wasm_compiler='clang-19 --target=wasm32-wasi --sysroot=/usr -isystem /usr/includ
 target_of() {
 	libs='-lm -lpthread' defines=-DTEST_EMULATED=2 flags=-static packages=qemu-user-static
 	case $1 in
-	aarch64) compiler=aarch64-linux-gnu-gcc runner=qemu-aarch64-static defines=-DTEST_EMULATED packages="$packages gcc-aarch64-linux-gnu libc6-dev-arm64-cross" ;;
+	aarch64) compiler=aarch64-linux-gnu-gcc runner=qemu-aarch64-static packages="$packages gcc-aarch64-linux-gnu libc6-dev-arm64-cross" ;;
 	s390x) compiler=s390x-linux-gnu-gcc runner=qemu-s390x-static flags='-static -fexcess-precision=fast' packages="$packages gcc-s390x-linux-gnu libc6-dev-s390x-cross" ;;
 	i686) compiler=i686-linux-gnu-gcc runner=qemu-i386-static flags='-static -msse2 -mfpmath=sse' packages="$packages gcc-i686-linux-gnu libc6-dev-i386-cross" ;;
 	armhf) compiler=arm-linux-gnueabihf-gcc runner=qemu-arm-static packages="$packages gcc-arm-linux-gnueabihf libc6-dev-armhf-cross" ;;
