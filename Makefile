@@ -43,7 +43,7 @@ endif
 # Tests take the user's CFLAGS if there are any, else a build that compiles soon and knows its lines (TEST_CFLAGS='-O0 -g': variables too).
 # OWN_CFLAGS: for the tests and the examples that they use, whose compilation takes 0.4 of the time without optimization.
 ifndef TEST_CFLAGS
-TEST_CFLAGS := $(if $(CFLAGS),$(CFLAGS),-O1 -g1)
+TEST_CFLAGS := $(if $(CFLAGS),$(CFLAGS),-O2 -g1)
 OWN_CFLAGS := $(if $(CFLAGS),,-O0)
 endif
 TEST_DEFINES ?= -DCNI_DEBUG
@@ -255,7 +255,7 @@ $(BUILD)/checked/test/%.o: test/%.c $(BUILD)/checked/flags
 $(BUILD)/checked/src/contacts/contact_kernel_4.o $(BUILD)/checked/src/contacts/contact_kernel_8.o: FILE_CFLAGS = $(if $(findstring undefined,$(TEST_CFLAGS)),-fno-sanitize=undefined)
 $(BUILD)/checked/test/world/arguments_test.o: FILE_CFLAGS = -O0
 # Tests that do much themselves.
-$(BUILD)/checked/test/broadphase/%.o $(BUILD)/checked/test/world/memory_test.o $(BUILD)/checked/test/world/memory_block_test.o $(TIMES_SRC:%.c=$(BUILD)/checked/%.o): OWN_CFLAGS =
+$(BUILD)/checked/test/broadphase/%.o $(addprefix $(BUILD)/checked/test/,collision/toi_test.o world/calls_test.o world/memory_test.o world/memory_block_test.o) $(TIMES_SRC:%.c=$(BUILD)/checked/%.o): OWN_CFLAGS =
 
 $(BUILD)/libcairn-checked.a: $(CHECKED_OBJ)
 	@rm -f $@

@@ -800,8 +800,9 @@ static void bridges_assembled_with_gaps_throw_nothing(void)
 	CHECK_LE("greatest speed over that with soft constraints", ratio, 2.0, "");
 }
 
-int main(void)
+int main(int argc, char **argv)
 {
+	test_begin(argc, argv);
 	RUN(bridges_assembled_with_gaps_throw_nothing);
 	RUN(straight_bridges_are_not_thrown);
 	RUN(straight_bridges_throw_no_discs);
