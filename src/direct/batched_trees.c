@@ -46,7 +46,7 @@ int32_t cni_component_is_batched(const cn_world *world, const cni_solve *s, cni_
 {
 	uint32_t parts = 0;
 	int32_t k, fast = has_heavy;
-	if (c->kind == CNI_NONE || c->has_contacts)
+	if (c->kind == CNI_NONE || c->has_contacts || c->closes_fast)
 		return 0;
 	for (k = c->begin; k < c->end; ++k) {
 		const cni_joint_constraint *w = &cni_joint_constraints(world)[sparse->nodes[k].owner];

@@ -108,6 +108,78 @@ static void levers_read(const cn_world *world, cni_sparse *sparse, const cni_com
 	}
 }
 
+/* Applies x of every node to body velocities and row impulses. */
+static void solution_push(cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	cni_motion *motions = cni_motions(world);
+	cni_joint_constraint *constraints = cni_joint_constraints(world);
+	const int32_t end = c->end, width = c->width;
+	for (int32_t k = c->begin; k < end; ++k) {
+		const cni_node *n = &sparse->nodes[k];
+		if (n->owner < 0)
+			continue;
+		cni_node_impulses_add(n, constraints[n->owner].rows, n->x, 1.0f);
+		cni_levers_push(&n->levers, n->x, motions + n->ia, motions + n->ib, width);
+	}
+}
+
+static void impulses_undo(cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	for (int32_t k = c->begin; k < c->end; ++k)
+		if (sparse->nodes[k].owner >= 0)
+			cni_node_impulses_add(&sparse->nodes[k], cni_joint_constraints(world)[sparse->nodes[k].owner].rows, sparse->nodes[k].x, -1.0f);
+}
+
+/* Sum of the speeds at which rows close, which it scales. */
+static float closings_scale(const cn_world *world, cni_sparse *sparse, const cni_component *c, float part)
+{
+	float sum = 0.0f;
+	for (int32_t k = c->begin; k < c->end; ++k) {
+		cni_node *n = &sparse->nodes[k];
+		for (int32_t i = 0; i < n->rows && n->owner >= 0; ++i) {
+			sum += cni_abs(n->closing[i]) * cni_row_length(world, &cni_joint_constraints(world)[n->owner].rows[i]);
+			n->closing[i] *= part;
+		}
+	}
+	return sum;
+}
+
+/* Greatest change of a body's speed, at its centre and its farthest point, since motions were saved. */
+static float change_most(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	float most = 0.0f;
+	for (int32_t k = c->body_begin; k < c->body_end; ++k) {
+		const cni_motion *m = cni_motions(world) + sparse->bodies[k], *saved = sparse->saved + k;
+		float reach = cni_body_at(world, cni_awake_ids(world)[sparse->bodies[k]])->extent;
+		most = cni_max(most, cni_length(cni_v(m->vx - saved->vx, m->vy - saved->vy)) + reach * cni_abs(m->w - saved->w));
+	}
+	return most;
+}
+
+/*
+ * Gaps that all close at the speed at which overlaps are pushed apart would throw the end of a chain, or a light body between heavy ones. So the
+ * closing of all gaps of a component moves none of its bodies faster than that: one factor for all, from one more solution where their speeds
+ * add to more.
+ */
+static void closings_bound(cn_world *world, cni_sparse *sparse, cni_component *c)
+{
+	const float most = world->settings.push_speed_max;
+	float fastest = 0.0f;
+	if (closings_scale(world, sparse, c, 1.0f) <= most)
+		return;
+	for (int32_t k = c->begin; k < c->end; ++k)
+		cni_four_store(sparse->nodes[k].x, cni_four_subtract(cni_four_all(0.0f), cni_four_load(sparse->nodes[k].closing)));
+	cni_direct_motions_save(world, sparse, c, 0);
+	if (cni_sparse_solve(sparse, c)) {
+		solution_push(world, sparse, c);
+		fastest = change_most(world, sparse, c);
+		cni_direct_motions_save(world, sparse, c, 1);
+		impulses_undo(world, sparse, c);
+	}
+	if (fastest > most)
+		(void)closings_scale(world, sparse, c, most / fastest);
+}
+
 void cni_direct_refresh(cn_world *world, cni_sparse *sparse, const cni_component *c)
 {
 	levers_read(world, sparse, c, 0.0f);
@@ -144,25 +216,12 @@ void cni_direct_system(cn_world *world, const cni_solve *s, cni_sparse *sparse, 
 	levers_read(world, sparse, c, CNI_JOINT_ERROR_RATE * s->inv_h);
 	if (c->active)
 		cni_active_levers(world, sparse, c);
-	if (c->has_contacts)
+	if (c->has_contacts) {
 		c->factored = 0;
-	else
-		cni_sparse_factor(sparse, c, cni_motions(world));
-}
-
-/* Applies x of every node to body velocities and row impulses. */
-static void solution_push(cn_world *world, const cni_sparse *sparse, const cni_component *c)
-{
-	cni_motion *motions = cni_motions(world);
-	cni_joint_constraint *constraints = cni_joint_constraints(world);
-	const int32_t end = c->end, width = c->width;
-	for (int32_t k = c->begin; k < end; ++k) {
-		const cni_node *n = &sparse->nodes[k];
-		if (n->owner < 0)
-			continue;
-		cni_node_impulses_add(n, constraints[n->owner].rows, n->x, 1.0f);
-		cni_levers_push(&n->levers, n->x, motions + n->ia, motions + n->ib, width);
+		return;
 	}
+	cni_sparse_factor(sparse, c, cni_motions(world));
+	closings_bound(world, sparse, c);
 }
 
 /*
@@ -183,13 +242,6 @@ static void leaks_add(const cn_world *world, cni_sparse *sparse, const cni_compo
 			n->x[i] -= CNI_DIRECT_LEAK * n->diagonal[i] * impulse;
 		}
 	}
-}
-
-static void impulses_undo(cn_world *world, const cni_sparse *sparse, const cni_component *c)
-{
-	for (int32_t k = c->begin; k < c->end; ++k)
-		if (sparse->nodes[k].owner >= 0)
-			cni_node_impulses_add(&sparse->nodes[k], cni_joint_constraints(world)[sparse->nodes[k].owner].rows, sparse->nodes[k].x, -1.0f);
 }
 
 static void sides_save(cni_sparse *sparse, const cni_component *c, int32_t restore)

@@ -59,14 +59,18 @@ static float gap_of(const cni_joint_constraint *w, uint32_t torn)
 	}
 }
 
-/* A limit that is apart does not tear a loop, whose joints may contradict it: exact limits close at the speed of overlaps. Soft ones would press a
-   bridge until it is thrown. */
-static float widest_gap(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+/* The widest gap. A limit that is apart does not tear a loop, whose joints may contradict it: exact limits close at the
+   speed of overlaps. Soft ones would press a bridge until it is thrown. */
+static float gaps_find(const cn_world *world, const cni_solve *s, const cni_sparse *sparse, cni_component *c)
 {
-	float most = 0.0f;
+	float most = 0.0f, sum = 0.0f;
 	uint32_t torn = c->loops ? CNI_CONSTRAINT_TORN : CNI_CONSTRAINT_APART;
-	for (int32_t k = c->begin; k < c->end; ++k)
-		most = cni_max(most, gap_of(cni_joint_constraints(world) + sparse->nodes[k].owner, torn));
+	for (int32_t k = c->begin; k < c->end && !c->has_contacts; ++k) {
+		float gap = gap_of(cni_joint_constraints(world) + sparse->nodes[k].owner, torn);
+		most = cni_max(most, gap);
+		sum += gap;
+	}
+	c->closes_fast = CNI_JOINT_ERROR_RATE * s->inv_h * sum > s->push_speed;
 	return most;
 }
 
@@ -283,7 +287,7 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 		c->regular = c->has_contacts ? CNI_REGULARIZATION_CONTACTS : c->loops ? CNI_REGULARIZATION_LOOPS : 0.0f;
 		bodies_look(world, out, c);
 		c->uses_rattle = CNI_ON(RATTLE) && !c->has_contacts && cni_component_uses_rattle(world, s, out, c);
-		float gap = c->has_contacts ? 0.0f : widest_gap(world, out, c);
+		float gap = gaps_find(world, s, out, c);
 		if (is_torn(s, gap)) {
 			impulses_soften(world, out, c);
 			cni_component_release(world, out, c);
@@ -295,10 +299,12 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 			soften_for(world, out, c, 0);
 		else if (c->body_begin == c->body_end)
 			cni_component_release(world, out, c);
-		else if (c->uses_rattle)
+		else if (c->uses_rattle && (c->loops || !c->closes_fast))
 			rattle_begin(world, s, out, c);
-		else
+		else {
+			c->uses_rattle = 0;
 			passes_begin(world, s, out, k);
+		}
 	}
 	cni_tree_batches_make(world, s, out);
 	cni_components_list(out);

@@ -73,6 +73,7 @@ typedef struct cni_component {
 	int32_t touched;               /* number of its bodies that have contacts in lanes */
 	float heaviest;                /* greatest mass of a body, kg */
 	float mass_ratio;              /* ... over the least */
+	int32_t closes_fast;           /* 1: closing all gaps may move a body faster than overlaps are pushed apart: cni_direct_system bounds it */
 	int32_t checked;               /* 1: its solutions are checked */
 	float regular;                 /* regularization: this fraction of the diagonal is added to it */
 	int32_t uses_rattle;           /* 1: direct/rattle.c takes the bodies' whole step */
