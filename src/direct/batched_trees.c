@@ -6,9 +6,10 @@
  * vector sum. A tree has the same bits in any batch, also in one of its own. Which trees are in batches depends on their number alone and
  * not on the memory that a world has.
  *
- * A batch takes all of a tree's joints, which are lane joints with two rows: no dampers, no loops, no contacts in the system, and no
- * RATTLE. Trees of a class that remain after full batches form one more batch. The joints of other components have rows. A tree that is
- * locked, or has contacts of direct/heavy_contacts.c, takes its levers and factors from its lane as a component of its own.
+ * A batch takes all of a tree's joints, which are lane joints with two rows: no dampers, no loops, no contacts in the system, no gaps whose
+ * closing is bounded (closings_bound in component.c), and no RATTLE. Trees of a class that remain after full batches form one more batch. The
+ * joints of other components have rows. A tree that is locked, or has contacts of direct/heavy_contacts.c, takes its levers and factors from
+ * its lane as a component of its own.
  *
  * Reads joint constraints, records, motion, the plan; writes batches, blocks of lanes, flags of joint constraints.
  */

@@ -108,26 +108,16 @@ static void levers_read(const cn_world *world, cni_sparse *sparse, const cni_com
 	}
 }
 
-/* Applies x of every node to body velocities and row impulses. */
-static void solution_push(cn_world *world, const cni_sparse *sparse, const cni_component *c)
+/* Applies x of every node to body velocities. */
+static void velocities_push(cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
 	cni_motion *motions = cni_motions(world);
-	cni_joint_constraint *constraints = cni_joint_constraints(world);
 	const int32_t end = c->end, width = c->width;
 	for (int32_t k = c->begin; k < end; ++k) {
 		const cni_node *n = &sparse->nodes[k];
-		if (n->owner < 0)
-			continue;
-		cni_node_impulses_add(n, constraints[n->owner].rows, n->x, 1.0f);
-		cni_levers_push(&n->levers, n->x, motions + n->ia, motions + n->ib, width);
+		if (n->owner >= 0)
+			cni_levers_push(&n->levers, n->x, motions + n->ia, motions + n->ib, width);
 	}
-}
-
-static void impulses_undo(cn_world *world, const cni_sparse *sparse, const cni_component *c)
-{
-	for (int32_t k = c->begin; k < c->end; ++k)
-		if (sparse->nodes[k].owner >= 0)
-			cni_node_impulses_add(&sparse->nodes[k], cni_joint_constraints(world)[sparse->nodes[k].owner].rows, sparse->nodes[k].x, -1.0f);
 }
 
 /* Sum of the speeds at which rows close, which it scales. */
@@ -171,10 +161,9 @@ static void closings_bound(cn_world *world, cni_sparse *sparse, cni_component *c
 		cni_four_store(sparse->nodes[k].x, cni_four_subtract(cni_four_all(0.0f), cni_four_load(sparse->nodes[k].closing)));
 	cni_direct_motions_save(world, sparse, c, 0);
 	if (cni_sparse_solve(sparse, c)) {
-		solution_push(world, sparse, c);
+		velocities_push(world, sparse, c);
 		fastest = change_most(world, sparse, c);
 		cni_direct_motions_save(world, sparse, c, 1);
-		impulses_undo(world, sparse, c);
 	}
 	if (fastest > most)
 		(void)closings_scale(world, sparse, c, most / fastest);
@@ -296,6 +285,15 @@ static void dampers_forget(cn_world *world, const cni_sparse *sparse, const cni_
 	}
 }
 
+/* Adds x of every node to its rows' impulses. */
+static void impulses_store(cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	cni_joint_constraint *constraints = cni_joint_constraints(world);
+	for (int32_t k = c->begin; k < c->end; ++k)
+		if (sparse->nodes[k].owner >= 0)
+			cni_node_impulses_add(&sparse->nodes[k], constraints[sparse->nodes[k].owner].rows, sparse->nodes[k].x);
+}
+
 /* Rows of loops may be redundant, so their system may be nearly singular. When a solution exceeds its bound, it is solved again with a
    larger diagonal, which the component keeps for this step. */
 int32_t cni_direct_apply(cn_world *world, cni_sparse *sparse, cni_component *c)
@@ -306,15 +304,15 @@ int32_t cni_direct_apply(cn_world *world, cni_sparse *sparse, cni_component *c)
 		cni_direct_motions_save(world, sparse, c, 0);
 	for (;;) {
 		if (cni_sparse_solve(sparse, c)) {
-			solution_push(world, sparse, c);
+			velocities_push(world, sparse, c);
 			if (!c->checked || is_bounded(world, sparse, c)) {
+				impulses_store(world, sparse, c);
 				dampers_forget(world, sparse, c);
 				if (c->active)
 					cni_active_impulses_add(world, sparse, c);
 				return 1;
 			}
 			cni_direct_motions_save(world, sparse, c, 1);
-			impulses_undo(world, sparse, c);
 		}
 		if (!c->loops || c->regular > CNI_REGULARIZATION_MAX)
 			return 0;

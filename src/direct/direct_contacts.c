@@ -20,7 +20,7 @@ static void commit(const cni_direct_contact_pass *q)
 	for (int32_t k = q->c->begin; k < q->c->end; ++k) {
 		const cni_node *n = &q->sparse->nodes[k];
 		if (n->owner >= 0)
-			cni_node_impulses_add(n, cni_joint_constraints(q->world)[n->owner].rows, n->total, 1.0f);
+			cni_node_impulses_add(n, cni_joint_constraints(q->world)[n->owner].rows, n->total);
 	}
 	for (cni_direct_contact *p = q->first; p < q->end; ++p) {
 		p->j[0] = cni_max(p->j[0], 0.0f);

@@ -59,8 +59,8 @@ static float gap_of(const cni_joint_constraint *w, uint32_t torn)
 	}
 }
 
-/* The widest gap. A limit that is apart does not tear a loop, whose joints may contradict it: exact limits close at the
-   speed of overlaps. Soft ones would press a bridge until it is thrown. */
+/* The widest gap. A limit that is apart does not tear a loop, whose joints may contradict it: exact limits close at the speed of overlaps. Soft
+   ones would press a bridge until it is thrown. */
 static float gaps_find(const cn_world *world, const cni_solve *s, const cni_sparse *sparse, cni_component *c)
 {
 	float most = 0.0f, sum = 0.0f;
@@ -288,6 +288,7 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 		bodies_look(world, out, c);
 		c->uses_rattle = CNI_ON(RATTLE) && !c->has_contacts && cni_component_uses_rattle(world, s, out, c);
 		float gap = gaps_find(world, s, out, c);
+		c->uses_rattle = c->uses_rattle && (c->loops || !c->closes_fast); /* it closes gaps at once */
 		if (is_torn(s, gap)) {
 			impulses_soften(world, out, c);
 			cni_component_release(world, out, c);
@@ -299,12 +300,10 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 			soften_for(world, out, c, 0);
 		else if (c->body_begin == c->body_end)
 			cni_component_release(world, out, c);
-		else if (c->uses_rattle && (c->loops || !c->closes_fast))
+		else if (c->uses_rattle)
 			rattle_begin(world, s, out, c);
-		else {
-			c->uses_rattle = 0;
+		else
 			passes_begin(world, s, out, k);
-		}
 	}
 	cni_tree_batches_make(world, s, out);
 	cni_components_list(out);

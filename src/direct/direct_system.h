@@ -41,13 +41,13 @@ void cni_direct_rotations(const cn_world *world, cni_sparse *sparse, const cni_c
 
 /* Right sides: the missing speeds of the component's rows, with error correction (bias 1) or without, into its nodes' x. */
 void cni_direct_right_sides(cn_world *world, const cni_solve *s, const cni_component *c, int32_t bias);
-/* Adds the impulses of a joint's node, times sign, to the rows from which its levers were read. */
-static inline void cni_node_impulses_add(const cni_node *n, cni_row *rows, const float *x, float sign)
+/* Adds the impulses x of a joint's node to the rows from which its levers were read. */
+static inline void cni_node_impulses_add(const cni_node *n, cni_row *rows, const float *x)
 {
 	for (int32_t i = 0; i < n->rows; ++i)
-		rows[i].impulse += sign * x[i];
+		rows[i].impulse += x[i];
 	if (n->share[0] != 0.0f || n->share[1] != 0.0f)
-		rows[n->rows - 1].impulse += sign * (n->share[0] * x[0] + n->share[1] * x[1]);
+		rows[n->rows - 1].impulse += n->share[0] * x[0] + n->share[1] * x[1];
 }
 /* Solves for the impulses and applies them; on failure the joints become soft by cni_component_give_up. */
 void cni_component_solve(cn_world *world, const cni_solve *s, cni_component *c);
