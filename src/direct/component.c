@@ -90,9 +90,10 @@ static void angle_decouple(cni_node *n, const cni_motion *a, const cni_motion *b
 }
 
 /* Reads the joints' levers from their rows, and the speeds that correct their errors at this rate, but no faster than overlaps are pushed
-   apart: what a gap's closing gives to light parts they keep. */
-static void levers_read(const cn_world *world, cni_sparse *sparse, const cni_component *c, float rate)
+   apart: what a gap's closing gives to light parts they keep. Returns the sum of these speeds. */
+static float levers_read(const cn_world *world, cni_sparse *sparse, const cni_component *c, float rate)
 {
+	float sum = 0.0f;
 	for (int32_t k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
 		if (n->owner < 0)
@@ -102,10 +103,12 @@ static void levers_read(const cn_world *world, cni_sparse *sparse, const cni_com
 			float most = cni_row_push_speed(world, &rows[i]);
 			cni_levers_set(&n->levers, i, rows[i].lever);
 			n->closing[i] = cni_clamp(rate * rows[i].error, -most, most);
+			sum += cni_abs(n->closing[i]) * cni_row_length(world, &rows[i]);
 		}
 		if (rate > 0.0f && n->rows > 1 && rows[n->rows - 1].angular)
 			angle_decouple(n, cni_motions(world) + n->ia, cni_motions(world) + n->ib);
 	}
+	return sum;
 }
 
 /* Applies x of every node to body velocities. */
@@ -118,20 +121,6 @@ static void velocities_push(cn_world *world, const cni_sparse *sparse, const cni
 		if (n->owner >= 0)
 			cni_levers_push(&n->levers, n->x, motions + n->ia, motions + n->ib, width);
 	}
-}
-
-/* Sum of the speeds at which rows close, which it scales. */
-static float closings_scale(const cn_world *world, cni_sparse *sparse, const cni_component *c, float part)
-{
-	float sum = 0.0f;
-	for (int32_t k = c->begin; k < c->end; ++k) {
-		cni_node *n = &sparse->nodes[k];
-		for (int32_t i = 0; i < n->rows && n->owner >= 0; ++i) {
-			sum += cni_abs(n->closing[i]) * cni_row_length(world, &cni_joint_constraints(world)[n->owner].rows[i]);
-			n->closing[i] *= part;
-		}
-	}
-	return sum;
 }
 
 /* Greatest change of a body's speed, at its centre and its farthest point, since motions were saved. */
@@ -149,13 +138,13 @@ static float change_most(const cn_world *world, const cni_sparse *sparse, const 
 /*
  * Gaps that all close at the speed at which overlaps are pushed apart would throw the end of a chain, or a light body between heavy ones. So the
  * closing of all gaps of a component moves none of its bodies faster than that: one factor for all, from one more solution where their speeds
- * add to more.
+ * add to more (levers_read).
  */
-static void closings_bound(cn_world *world, cni_sparse *sparse, cni_component *c)
+static void closings_bound(cn_world *world, cni_sparse *sparse, cni_component *c, float sum)
 {
 	const float most = world->settings.push_speed_max;
 	float fastest = 0.0f;
-	if (closings_scale(world, sparse, c, 1.0f) <= most)
+	if (sum <= most)
 		return;
 	for (int32_t k = c->begin; k < c->end; ++k)
 		cni_four_store(sparse->nodes[k].x, cni_four_subtract(cni_four_all(0.0f), cni_four_load(sparse->nodes[k].closing)));
@@ -165,13 +154,13 @@ static void closings_bound(cn_world *world, cni_sparse *sparse, cni_component *c
 		fastest = change_most(world, sparse, c);
 		cni_direct_motions_save(world, sparse, c, 1);
 	}
-	if (fastest > most)
-		(void)closings_scale(world, sparse, c, most / fastest);
+	for (int32_t k = c->begin; k < c->end && fastest > most; ++k)
+		cni_four_store(sparse->nodes[k].closing, cni_four_scale(cni_four_load(sparse->nodes[k].closing), most / fastest));
 }
 
 void cni_direct_refresh(cn_world *world, cni_sparse *sparse, const cni_component *c)
 {
-	levers_read(world, sparse, c, 0.0f);
+	(void)levers_read(world, sparse, c, 0.0f);
 	cni_sparse_factor(sparse, c, cni_motions(world));
 }
 
@@ -202,7 +191,7 @@ void cni_direct_system(cn_world *world, const cni_solve *s, cni_sparse *sparse, 
 	if (c->active)
 		cni_active_clear(sparse, c);
 	cni_geometric_stiffness_damp(world, sparse, c, s->h);
-	levers_read(world, sparse, c, CNI_JOINT_ERROR_RATE * s->inv_h);
+	float closing = levers_read(world, sparse, c, CNI_JOINT_ERROR_RATE * s->inv_h);
 	if (c->active)
 		cni_active_levers(world, sparse, c);
 	if (c->has_contacts) {
@@ -210,7 +199,7 @@ void cni_direct_system(cn_world *world, const cni_solve *s, cni_sparse *sparse, 
 		return;
 	}
 	cni_sparse_factor(sparse, c, cni_motions(world));
-	closings_bound(world, sparse, c);
+	closings_bound(world, sparse, c, closing);
 }
 
 /*
