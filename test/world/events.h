@@ -241,10 +241,15 @@ static inline void churn_act(churn *c)
 	}
 }
 
-static inline void churn_step(churn *c, int32_t calls)
+static inline void churn_calls(churn *c, int32_t calls)
 {
 	while (calls-- > 0)
 		churn_act(c);
+}
+
+static inline void churn_step(churn *c, int32_t calls)
+{
+	churn_calls(c, calls);
 	fixture_step(c->world, 1);
 }
 

@@ -170,7 +170,7 @@ static int32_t pair_is_awake(const cn_world *world, const cn_contact_event *e)
 	return (awake[0] || type[0] != CN_BODY_DYNAMIC) && (awake[1] || type[1] != CN_BODY_DYNAMIC);
 }
 
-/* A sleeping pair may owe its beginning until the step after the one that woke it. */
+/* A sleeping pair may owe its beginning until the first step in which it is awake from the start. */
 static int32_t pair_is_off(const cn_world *world, entry *p, const cn_contact_event *e)
 {
 	int32_t mask = mask_of_pair(world, e), off;
@@ -179,12 +179,20 @@ static int32_t pair_is_off(const cn_world *world, entry *p, const cn_contact_eve
 	return p->owes > 1;
 }
 
-static int32_t pairs_off(churn *c, ledger *l)
+static int32_t pair_forgives(const cn_world *world, entry *p, const cn_contact_event *e)
 {
-	int32_t k, i, count, off = 0, open = 0, entered = 0;
+	if (!pair_is_awake(world, e))
+		p->owes = 0;
+	return 0;
+}
+
+/* The sum of what look returns over the pairs that the world holds; counts those that the ledger has as created and as entered. */
+static int32_t pairs_visit(const churn *c, ledger *l, int32_t (*look)(const cn_world *, entry *, const cn_contact_event *), int32_t *created, int32_t *entered)
+{
+	int32_t k, i, count, body_count, sum = 0;
 	static cn_contact_event e[512];
 	cn_body bodies[CHURN_BODIES + 2];
-	int32_t body_count;
+	*created = *entered = 0;
 	must(cn_world_get_bodies(c->world, bodies, CHURN_BODIES + 2, &body_count), c->world, "cn_world_get_bodies");
 	for (k = 0; k < body_count; ++k) {
 		must(cn_body_get_contacts(c->world, bodies[k], e, 512, &count), c->world, "cn_body_get_contacts");
@@ -192,37 +200,51 @@ static int32_t pairs_off(churn *c, ledger *l)
 			entry *p = &l->pairs[e[i].contact_id];
 			if (e[i].body_a != bodies[k])
 				continue;
-			open += p->created;
-			entered += p->entered;
-			off += pair_is_off(c->world, p, &e[i]);
+			*created += p->created;
+			*entered += p->entered;
+			sum += look(c->world, p, &e[i]);
 		}
 	}
-	return off + (open != l->created) + (entered != l->entered);
+	return sum;
+}
+
+static int32_t pairs_off(const churn *c, ledger *l)
+{
+	int32_t created, entered, off = pairs_visit(c, l, pair_is_off, &created, &entered);
+	return off + (created != l->created) + (entered != l->entered);
+}
+
+/* With seed 584 a pair that owes wakes in two steps, and is put to sleep between them. */
+static void masks_change(uint32_t seed)
+{
+	static churn c;
+	int32_t step, off = 0, created, entered;
+	uint64_t stream = 0;
+	memset(&book, 0, sizeof book);
+	book.masks_change = 1;
+	churn_begin(&c, seed + 100, 0, 1);
+	for (step = 0; step < 150; ++step) {
+		churn_calls(&c, step % 50 < 40 ? 10 : 0);
+		pairs_visit(&c, &book, pair_forgives, &created, &entered);
+		fixture_step(c.world, 1);
+		ledger_read(&book, c.world, &stream);
+		off += pairs_off(&c, &book);
+	}
+	churn_end(&c);
+	ledger_read(&book, c.world, &stream);
+	CHECK_LE("events that contradict earlier ones", book.wrong, 0, "");
+	CHECK_LE("pairs whose events do not follow their masks", off, 0, "");
+	CHECK_LE("pairs left open at the end", book.created + book.entered, 0, "");
+	CHECK_GE("pairs entered", book.told[CN_EVENT_ENTER], 300, "");
+	cn_world_destroy(c.world);
 }
 
 static void changing_masks_keep_pairs_bookended(void)
 {
 	uint32_t seed;
-	for (seed = 1; seed <= 10; ++seed) {
-		static churn c;
-		int32_t step, off = 0;
-		uint64_t stream = 0;
-		memset(&book, 0, sizeof book);
-		book.masks_change = 1;
-		churn_begin(&c, seed + 100, 0, 1);
-		for (step = 0; step < 150; ++step) {
-			churn_step(&c, step % 50 < 40 ? 10 : 0);
-			ledger_read(&book, c.world, &stream);
-			off += pairs_off(&c, &book);
-		}
-		churn_end(&c);
-		ledger_read(&book, c.world, &stream);
-		CHECK_LE("events that contradict earlier ones", book.wrong, 0, "");
-		CHECK_LE("pairs whose events do not follow their masks", off, 0, "");
-		CHECK_LE("pairs left open at the end", book.created + book.entered, 0, "");
-		CHECK_GE("pairs entered", book.told[CN_EVENT_ENTER], 300, "");
-		cn_world_destroy(c.world);
-	}
+	for (seed = 1; seed <= 10; ++seed)
+		masks_change(seed);
+	masks_change(584);
 }
 
 static uint64_t churn_stream(uint32_t seed)
