@@ -381,7 +381,9 @@ CN_API cn_result cn_world_set_hit_speed(cn_world *world, float speed_mps);
 /* Sets the greatest linear (m/s) and angular (rad/s) speed, both > 0. The end of a step slows faster bodies down to them and
    keeps the direction. */
 CN_API cn_result cn_world_set_speed_limits(cn_world *world, float linear_mps, float angular_radps);
-/* Sets the speed in m/s, >= 0, below which bodies may sleep, and the delay in seconds, >= 0, after which they do. */
+/* Sets the speed in m/s, >= 0, below which bodies may sleep, and the delay in seconds, >= 0, after which they do. Where all but one in 64
+   bodies of an island, or but one, have rested for four delays, those others that no joint holds and that are slower than four times the
+   speed lose theirs within a second or two: what rocks in a hollow would keep all of a heap awake. */
 CN_API cn_result cn_world_set_sleep(cn_world *world, float speed_mps, float delay_s);
 /* Stores a number for the user. */
 CN_API cn_result cn_world_set_user_data(cn_world *world, uint64_t user_data);

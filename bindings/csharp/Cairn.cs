@@ -1869,7 +1869,9 @@ namespace Cairn
 		public static extern int cn_world_set_speed_limits(cn_world* world, float linear_mps, float angular_radps);
 
 		/// <summary>Sets the speed in m/s, &gt;= 0, below which bodies may sleep, and the delay in seconds, &gt;= 0, after
-		/// which they do.</summary>
+		/// which they do. Where all but one in 64 bodies of an island, or but one, have rested for four delays,
+		/// those others that no joint holds and that are slower than four times the speed lose theirs within a
+		/// second or two: what rocks in a hollow would keep all of a heap awake.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_set_sleep(cn_world* world, float speed_mps, float delay_s);
 

@@ -1733,7 +1733,9 @@ namespace Cairn
 		}
 
 		/// <summary>Sets the speed in m/s, &gt;= 0, below which bodies may sleep, and the delay in seconds, &gt;= 0, after
-		/// which they do.</summary>
+		/// which they do. Where all but one in 64 bodies of an island, or but one, have rested for four delays,
+		/// those others that no joint holds and that are slower than four times the speed lose theirs within a
+		/// second or two: what rocks in a hollow would keep all of a heap awake.</summary>
 		public void SetSleep(float speedMps, float delayS)
 		{
 			Call.Check(Native.cn_world_set_sleep(Pointer, speedMps, delayS), Pointer);

@@ -1663,7 +1663,9 @@ func (w *World) SetSpeedLimits(linear_mps float32, angular_radps float32) error 
 }
 
 // SetSleep: Sets the speed in m/s, >= 0, below which bodies may sleep, and the delay in seconds, >= 0, after
-// which they do.
+// which they do. Where all but one in 64 bodies of an island, or but one, have rested for four delays, those
+// others that no joint holds and that are slower than four times the speed lose theirs within a second or
+// two: what rocks in a hollow would keep all of a heap awake.
 func (w *World) SetSleep(speed_mps float32, delay_s float32) error {
 	defer runtime.KeepAlive(w)
 	return w.check(C.cn_world_set_sleep(w.c(), C.float(speed_mps), C.float(delay_s)))

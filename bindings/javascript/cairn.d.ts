@@ -1273,7 +1273,9 @@ export class World {
 	down to them and keeps the direction. */
 	setSpeedLimits(linear_mps: number, angular_radps: number): void;
 	/** Sets the speed in m/s, >= 0, below which bodies may sleep, and the delay in seconds, >= 0, after which
-	they do. */
+	they do. Where all but one in 64 bodies of an island, or but one, have rested for four delays, those others
+	that no joint holds and that are slower than four times the speed lose theirs within a second or two: what
+	rocks in a hollow would keep all of a heap awake. */
 	setSleep(speed_mps: number, delay_s: number): void;
 	/** Stores a number for the user. */
 	setUserData(user_data: number | bigint): void;

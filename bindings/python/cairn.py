@@ -1271,7 +1271,9 @@ cn_world_set_speed_limits = _function(
 cn_world_set_sleep = _function(
     "cn_world_set_sleep",
     """Sets the speed in m/s, >= 0, below which bodies may sleep, and the delay in seconds, >= 0, after which
-    they do.""",
+    they do. Where all but one in 64 bodies of an island, or but one, have rested for four delays, those
+    others that no joint holds and that are slower than four times the speed lose theirs within a second or
+    two: what rocks in a hollow would keep all of a heap awake.""",
     cn_result, _c.POINTER(cn_world), _c.c_float, _c.c_float,
 )
 cn_world_set_user_data = _function(
@@ -3215,7 +3217,9 @@ class World:
 
     def set_sleep(self, speed_mps, delay_s):
         """Sets the speed in m/s, >= 0, below which bodies may sleep, and the delay in seconds, >= 0, after which
-        they do."""
+        they do. Where all but one in 64 bodies of an island, or but one, have rested for four delays, those
+        others that no joint holds and that are slower than four times the speed lose theirs within a second
+        or two: what rocks in a hollow would keep all of a heap awake."""
         _check(cn_world_set_sleep(self.pointer, speed_mps, delay_s), self.pointer)
 
     def set_user_data(self, user_data):

@@ -349,7 +349,9 @@ pub const World = struct {
     }
 
     /// Sets the speed in m/s, >= 0, below which bodies may sleep, and the delay in seconds, >= 0, after which
-    /// they do.
+    /// they do. Where all but one in 64 bodies of an island, or but one, have rested for four delays, those
+    /// others that no joint holds and that are slower than four times the speed lose theirs within a second
+    /// or two: what rocks in a hollow would keep all of a heap awake.
     pub fn setSleep(self: World, speed_mps: f32, delay_s: f32) Error!void {
         return check(c.cn_world_set_sleep(self.pointer, speed_mps, delay_s));
     }

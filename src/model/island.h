@@ -20,6 +20,7 @@ typedef struct cni_island {
 	int32_t next_free;
 	float rest_time;       /* scratch of the sleep stage: least sleep_time of its bodies ... */
 	uint32_t rest_step;    /* ... found in this step + 1 */
+	int32_t movers;        /* ... and the number of those that have not long rested */
 	int32_t number;        /* its number in this step, if numbered */
 	uint32_t numbered_step; /* step + 1 of its last numbering */
 	uint32_t limited_step; /* step + 1 in which model/let_go.c last limited its impulses */

@@ -51,8 +51,10 @@ CNI_TUNING_FLOAT(CNI_LOAD_RATE, 0.6f)
 /* Sleep delays for which a body has been slow when its loads no longer rise; see model/solve.h. Soft towers lean by 31 mm with 1, by 20 mm
    with 3 and by 11 mm with 8, and poured heaps come to rest the later. */
 CNI_TUNING_FLOAT(CNI_SETTLED_DELAYS, 3.0f)
-/* Slops. Still islands with deeper overlaps are projected, and so much overlap is left: see step/overlap_projection.c. */
+/* Slops. Islands with deeper overlaps are projected, still ones and those of which parts move, and so much overlap is left: see
+   step/overlap_projection.c. */
 CNI_TUNING_FLOAT(CNI_OVERLAP_FROM, 0.5f)
+CNI_TUNING_FLOAT(CNI_OVERLAP_FROM_MOVING, 2.0f)
 CNI_TUNING_FLOAT(CNI_OVERLAP_LEFT, 0.2f)
 /* Part of an overlap that a step projects, of at most a slop. */
 CNI_TUNING_FLOAT(CNI_OVERLAP_PART, 0.2f)

@@ -135,7 +135,7 @@ static const cni_field joint_fields[] = {
 static const cni_field joint_index_fields[] = { { 0, 1, CNI_FIELD_JOINT } };
 #define N(member, kind) FIELD(cni_island, member, kind)
 static const cni_field island_fields[] = {
-	N(first, BODY), N(last, BODY), N(count, COUNT), N(losses, COUNT), N(awake, BIT), N(next_free, DERIVED), N(rest_time, WORD), N(rest_step, DERIVED), N(number, DERIVED),
+	N(first, BODY), N(last, BODY), N(count, COUNT), N(losses, COUNT), N(awake, BIT), N(next_free, DERIVED), N(rest_time, WORD), N(rest_step, DERIVED), N(movers, DERIVED), N(number, DERIVED),
 	N(numbered_step, DERIVED), N(limited_step, DERIVED), N(tier, BIT), N(good_steps, COUNT), N(stay_steps, COUNT), N(given_step, STAMP), N(looked_step, STAMP),
 	N(refused_step, STAMP), N(refused_steps, COUNT), N(reason, COUNT), N(solver, HALF), N(joints_solver, HALF), N(new_step, STAMP),
 	N(new_contacts, COUNT), N(unheld_step, STAMP), N(cone_step, STAMP), N(cone_spent, COUNT), N(cone_paid_step, STAMP), N(gives_step, STAMP),

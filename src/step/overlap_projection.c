@@ -2,20 +2,21 @@
  * step/overlap_projection.c - moves heaps that come to rest out of their overlaps.
  *
  * Soft contacts push shapes apart by forces, and friction bears forces: a heap that its fall has squeezed stays squeezed, under pushes of a
- * hundred weights. Nor do the loads of contacts (contacts/contact_kernel.h) reach what tall heaps bear before these fall asleep. So where an
- * island is still, its overlaps are projected: poses alone are changed, without velocities and friction (nonlinear Gauss-Seidel; Catto,
- * "Modeling and Solving Constraints", GDC 2009). What a contact's spring loses in force goes to its load: the island stays in balance.
+ * hundred weights. Nor do the loads of contacts (contacts/contact_kernel.h) reach what tall heaps bear before these fall asleep. So overlaps of
+ * bodies that are still are projected: poses alone are changed, without velocities and friction (nonlinear Gauss-Seidel; Catto, "Modeling
+ * and Solving Constraints", GDC 2009). What a contact's spring loses in force goes to its load: the island stays in balance. Parts of a heap
+ * come to rest long before all of it does, and are projected from then on: projected at last, all at once, they would start to move again.
  *
- * Every point of the island has a row n.(dpb - dpa) + thb bt - tha at >= goal with a push that is never negative. The goal of an overlap is a
+ * Every point of a still body has a row n.(dpb - dpa) + thb bt - tha at >= goal with a push that is never negative. The goal of an overlap is a
  * part of it; other points may close up to the overlap that is left. Overlaps with what nothing moves never grow beyond a slop: a solution
  * that would make one grow is discarded. Without that, bodies between two walls that are too near would be pushed through one of them.
  *
- * An island is kept awake while it is projected, but for so many steps only: not all overlaps can be taken away, and heaps are to fall asleep.
+ * An island is kept awake while it is projected, but in so many steps only: not all overlaps can be taken away, and heaps are to fall asleep.
  * Left to their solvers are islands with joints or locked axes, those that are solved directly, and piles that are held from below: their
  * loads take the overlaps away, and loads that follow fast would let a stack sway until it falls.
  *
  * Reads lanes, islands, velocities; writes displacements of bodies, and loads. Where no still island overlaps it costs a scan of the separations in each
- * eighth step.
+ * fourth step.
  */
 #include "step/stages.h"
 #include "base/bitset.h"
@@ -29,9 +30,9 @@
 #define SWEEPS_LEAST 2
 #define SWEEPS_OF_FIXED 4
 #define WORK_MOST 65536 /* points that sweeps solve in a step, but for the least sweeps: some half a millisecond */
-#define STEPS_MOST 120  /* in which an island is projected */
+#define STEPS_MOST 180  /* in which an island is projected */
 #define STEPS_FORGET 3600u /* so long after the last one they do not count */
-#define STEPS_A_LOOK 8  /* between looks for overlaps while nothing is projected; less than the sleep delay */
+#define STEPS_A_LOOK 4  /* between looks for overlaps while nothing is projected; less than the sleep delay */
 
 /* A contact point between bodies of a still island. */
 typedef struct point {
@@ -48,10 +49,11 @@ typedef struct point {
 
 typedef struct still_island {
 	int32_t state;
+	cni_vec2 frame;          /* cni_island_frame */
 	float before, after;     /* its deepest overlap with what nothing moves */
 } still_island;
 
-enum { ISLAND_UNSEEN, ISLAND_LEFT, ISLAND_PROJECTED };
+enum { ISLAND_UNSEEN, ISLAND_MOVES, ISLAND_LEFT, ISLAND_PROJECTED };
 
 typedef struct projection {
 	cn_world *world;
@@ -69,7 +71,7 @@ static int32_t island_is_projected(const projection *p, int32_t island)
 {
 	cn_world *world = p->world;
 	cni_island *i = cni_island_at(world, island);
-	if (i->tier == CNI_TIER_DIRECT || !cni_island_is_slower(world, i, world->settings.sleep_speed))
+	if (i->tier == CNI_TIER_DIRECT)
 		return 0;
 	for (int32_t body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next) {
 		const cni_body *b = cni_body_at(world, body);
@@ -83,6 +85,22 @@ static int32_t island_is_projected(const projection *p, int32_t island)
 	i->projected_step = world->step_count + 1u;
 	++i->projected_steps;
 	return 1;
+}
+
+static float overlap(const cni_contact_block *k, int32_t l)
+{
+	return -cni_min(k->p[0].nm[l] > 0.0f ? k->p[0].s0[l] : 0.0f, k->p[1].nm[l] > 0.0f ? k->p[1].s0[l] : 0.0f);
+}
+
+/* The state of an island that has a deep lane. Where parts of it move, only deeper ones count, each STEPS_A_LOOK steps. */
+static int32_t state_find(const projection *p, int32_t island, int32_t state, float deep)
+{
+	cn_world *world = p->world;
+	if (state == ISLAND_UNSEEN && !cni_island_is_slower(world, cni_island_at(world, island), world->settings.sleep_speed))
+		state = world->step_count % STEPS_A_LOOK == 0 ? ISLAND_MOVES : ISLAND_LEFT;
+	if (state == ISLAND_UNSEEN || (state == ISLAND_MOVES && deep > CNI_OVERLAP_FROM_MOVING * world->settings.slop))
+		return island_is_projected(p, island) ? ISLAND_PROJECTED : ISLAND_LEFT;
+	return state;
 }
 
 static int32_t islands_make(projection *p)
@@ -100,11 +118,15 @@ static void islands_find(projection *p, float most)
 	const cni_listed_block *list = cni_listed_blocks(p->world, 0);
 	for (int32_t k = 0; k < p->blocks; ++k)
 		for (uint32_t deep = cni_deep_lanes(list[k].rows, most); deep != 0; deep &= deep - 1u) {
-			int32_t island = cni_awake_island(p->world, list[k].rows->ia[cni_bit_lowest32(deep)]);
-			if (island == CNI_NONE || (p->islands == NULL && !islands_make(p)) || p->islands[island].state != ISLAND_UNSEEN)
+			int32_t l = cni_bit_lowest32(deep), island = cni_awake_island(p->world, list[k].rows->ia[l]);
+			if (island == CNI_NONE || (p->islands == NULL && !islands_make(p)))
 				continue;
-			p->islands[island].state = island_is_projected(p, island) ? ISLAND_PROJECTED : ISLAND_LEFT;
-			p->found |= p->islands[island].state == ISLAND_PROJECTED;
+			still_island *i = &p->islands[island];
+			if (i->state >= ISLAND_LEFT)
+				continue;
+			i->state = state_find(p, island, i->state, overlap(list[k].rows, l));
+			i->frame = cni_island_frame(p->world, cni_island_at(p->world, island));
+			p->found |= i->state == ISLAND_PROJECTED;
 		}
 }
 
@@ -116,7 +138,15 @@ static int32_t is_fixed(const cn_world *world, const point *q)
 	return cni_motions(world)[q->ib].inv_mass == 0.0f;
 }
 
-static void point_make(const projection *p, point *q, cni_contact_block *k, int32_t i, int32_t l)
+static int32_t is_slow(const projection *p, int32_t index, int32_t island)
+{
+	const cni_motion *m = cni_motions(p->world) + index;
+	cni_vec2 frame = p->islands[island].frame;
+	return cni_sq(m->vx - frame.x) + cni_sq(m->vy - frame.y) <= cni_sq(p->world->settings.sleep_speed);
+}
+
+/* slow: number of its bodies that are. A moving one is not pushed out, but what is pushed into it. */
+static void point_make(const projection *p, point *q, cni_contact_block *k, int32_t i, int32_t l, int32_t slow)
 {
 	cni_contact_row *row = &k->p[i];
 	float slop = p->world->settings.slop, excess = -row->s0[l] - CNI_OVERLAP_LEFT * slop;
@@ -130,19 +160,20 @@ static void point_make(const projection *p, point *q, cni_contact_block *k, int3
 	q->bt = row->at[l] - k->dt[l];
 	q->m = row->nm[l];
 	q->s = row->s0[l];
-	q->goal = excess > 0.0f ? cni_min(CNI_OVERLAP_PART * excess, slop) : excess;
+	q->goal = excess <= 0.0f ? excess : slow == 2 ? cni_min(CNI_OVERLAP_PART * excess, slop) : 0.0f;
 	q->push = 0.0f;
 }
 
 /* Stores the points of a lane, or only counts them. */
 static void lane_collect(projection *p, const cni_listed_block *b, int32_t l, int32_t island)
 {
-	for (int32_t i = 0; i < 2; ++i) {
+	int32_t slow = is_slow(p, b->rows->ia[l], island) + is_slow(p, b->rows->ib[l], island);
+	for (int32_t i = 0; slow > 0 && i < 2; ++i) {
 		if (!(b->rows->p[i].nm[l] > 0.0f) || b->rows->p[i].s0[l] > p->world->settings.slop)
 			continue;
 		if (p->points != NULL) {
 			point *q = &p->points[p->count];
-			point_make(p, q, b->rows, i, l);
+			point_make(p, q, b->rows, i, l, slow);
 			q->kind = b->kind;
 			q->island = island;
 			if (is_fixed(p->world, q))

@@ -74,6 +74,18 @@ static int32_t rested(const cn_world *world, float time)
 	return time >= world->settings.sleep_delay && time > 0.0f;
 }
 
+/* Bodies that keep an island awake whose others have rested for LONG_DELAYS delays: one of MOVERS_SHARE, or but one, slower than MOVERS_SPEED
+   sleep speeds. They are damped with MOVERS_TIME seconds. */
+#define LONG_DELAYS 4.0f
+#define MOVERS_SHARE 64
+#define MOVERS_SPEED 4.0f
+#define MOVERS_TIME 1.0f
+
+static int32_t has_long_rested(const cn_world *world, const cni_body *b)
+{
+	return rested(world, b->sleep_time) && b->sleep_time >= LONG_DELAYS * world->settings.sleep_delay;
+}
+
 /* Is the body so slow that it moves by less than the accuracy in a second? */
 static int32_t is_still(const cn_world *world, const cni_body *b)
 {
@@ -95,7 +107,9 @@ static rests rests_find(cn_world *world)
 			continue;
 		}
 		cni_island *i = cni_island_at(world, b->island);
-		i->rest_time = i->rest_step == world->step_count + 1u ? cni_min(i->rest_time, b->sleep_time) : b->sleep_time;
+		int32_t first = i->rest_step != world->step_count + 1u, moves = !has_long_rested(world, b);
+		i->rest_time = first ? b->sleep_time : cni_min(i->rest_time, b->sleep_time);
+		i->movers = first ? moves : i->movers + moves;
 		i->rest_step = world->step_count + 1u;
 		if (i->projected_step == world->step_count + 1u)
 			i->rest_time = 0.0f; /* step/overlap_projection.c */
@@ -126,6 +140,39 @@ static int32_t split_one(cn_world *world, int32_t island)
 	return 1;
 }
 
+/* 1: the body moves slowly, and only contacts hold it. */
+static int32_t may_be_damped(const cn_world *world, const cni_body *b)
+{
+	float most = MOVERS_SPEED * world->settings.sleep_speed, turn = b->w * b->extent;
+	return !has_long_rested(world, b) && (b->flags & CN_BODY_SLEEP) && !(cni_externals(world)[b->awake].flags & CNI_EXTERNAL_JOINTED) &&
+		b->vx * b->vx + b->vy * b->vy <= most * most && turn * turn <= most * most;
+}
+
+/*
+ * A body that rocks in a hollow, rolling to and fro without slip, loses no energy, and keeps all of its heap awake. Where all others have long
+ * rested, rolling resistance stops it.
+ */
+static void movers_damp(cn_world *world, const cni_island *i, float dt)
+{
+	float part = cni_max(1.0f - dt / MOVERS_TIME, 0.0f);
+	for (int32_t body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next) {
+		cni_body *b = cni_body_at(world, body);
+		if (!may_be_damped(world, b))
+			continue;
+		cn_velocity v = { { part * b->vx, part * b->vy }, part * b->w };
+		cni_body_store_velocity(world, b, v);
+	}
+}
+
+static void islands_damp(cn_world *world, float dt)
+{
+	for (int32_t k = 0; k < world->island_used; ++k) {
+		const cni_island *i = cni_island_at(world, k);
+		if (i->rest_step == world->step_count + 1u && i->movers > 0 && i->movers < i->count && i->movers <= cni_max_i(i->count / MOVERS_SHARE, 1))
+			movers_damp(world, i, dt);
+	}
+}
+
 static int32_t island_may_sleep(const cn_world *world, const cni_island *i)
 {
 	return i->losses == 0 && rested(world, i->rest_time);
@@ -145,7 +192,7 @@ static int32_t some_island_may_sleep(const cn_world *world)
 #define SLEEP_LEAST 1024
 #define SLEEP_SHARE 8
 
-void cni_stage_sleep(cn_world *world)
+void cni_stage_sleep(cn_world *world, float dt)
 {
 	keep_near_kinematic_awake(world);
 	if (CNI_HAS_JOINTS)
@@ -153,6 +200,7 @@ void cni_stage_sleep(cn_world *world)
 	rests r = rests_find(world);
 	if (split_one(world, r.split))
 		r = rests_find(world);
+	islands_damp(world, dt);
 	if (!r.alone && world->island_used <= world->awake_count && !some_island_may_sleep(world)) /* of many islands most sleep */
 		return;
 	int32_t before = world->awake_count;

@@ -33,7 +33,7 @@ void cni_stage_project_overlaps(cn_world *world, const cni_solve *s);
 /* Stage 9: calls the user's callbacks. */
 void cni_stage_events(cn_world *world);
 /* Stage 10. */
-void cni_stage_sleep(cn_world *world);
+void cni_stage_sleep(cn_world *world, float dt);
 
 /* ---- the sequential solver: sequential.c ---- */
 

@@ -263,7 +263,7 @@ void cni_step(cn_world *world, float dt)
 	begin = mark = (world->settings.flags & CN_WORLD_PROFILE) ? cni_clock_ns() : 0;
 	rested = CNI_HAS_SEQUENTIAL && world->settings.solver == CN_SOLVER_SEQUENTIAL ? step_sequential(world, dt, &mark) : step_soft(world, dt, &mark);
 	if (rested && (world->settings.flags & CN_WORLD_SLEEP))
-		cni_stage_sleep(world);
+		cni_stage_sleep(world, dt);
 	profile_mark(world, &profile->sleep_s, &mark);
 	cni_team_hold(world->team, 0);
 	if (CNI_HAS_EVENTS)

@@ -25,7 +25,7 @@ static const arch_scene arch_scenes[ARCH_SCENES] = {
 	{ "sequential", scene_sequential, 0x8420c332fa1de2a4 },
 	{ "queries", scene_queries, 0xb79cb4644a093b1c },
 	{ "events", scene_events, 0xb0fd62ae431861ac },
-	{ "file", scene_file, 0x46c46be6aab9c936 },
+	{ "file", scene_file, 0xf37363360846a9b0 },
 };
 
 /* The number of a scene; 0 if a call failed: arch_failed_line. */

@@ -25,8 +25,8 @@ typedef struct golden {
 /* clang-format off */
 static const golden goldens[] = {
 	{ "falling_hinges", 480, 1, 0x73f0577b3aff13cc },
-	{ "small_200", 300, 1, 0x87ecd5330aaa86da },
-	{ "small_50_sleep", 600, 1, 0x71eccb9d1bba6197 },
+	{ "small_200", 300, 1, 0xe9658555691ec646 },
+	{ "small_50_sleep", 600, 1, 0x3dc60f3d1c177cd8 },
 	{ "dominoes", 400, 1, 0x1b40e5f4ad59c08c },
 	{ "ragdolls", 480, 1, 0xa21c223a5626fe8c },
 	{ "bridge", 240, 1, 0x2a3ea6a5e8a1c120 },

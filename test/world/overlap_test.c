@@ -38,19 +38,27 @@ static cn_body thing(cn_world *world, int32_t kind, float x, float y, float size
 	return body;
 }
 
+/* Bodies that are to fall from rows of so many. */
+static cn_world *heap(int32_t kind, uint32_t seed, int32_t count, int32_t columns, cn_body *bodies)
+{
+	cn_world *world = fixture_world(-10.0f, 1);
+	uint32_t random = seed * 2654435761u + 1u;
+	float half_width = 0.6f * (float)columns;
+	int32_t k;
+	walls(world, half_width);
+	for (k = 0; k < count; ++k) {
+		float x = 0.6f - half_width + 1.2f * (float)(k % columns) + fixture_random(&random, -0.15f, 0.15f), size = fixture_random(&random, 0.2f, 0.3f);
+		bodies[k] = thing(world, kind < 3 ? kind : k, x, 0.6f + (float)(k / columns), size, fixture_random(&random, 0.0f, 3.0f), 0.7f);
+	}
+	return world;
+}
+
 /* Bodies fall from up to 25 m and squeeze those below. Returns the deepest overlap after a while. */
 static float pour(int32_t kind, uint32_t seed, int32_t *asleep)
 {
-	cn_world *world = fixture_world(-10.0f, 1);
 	cn_body bodies[BODIES];
-	uint32_t random = seed * 2654435761u + 1u;
+	cn_world *world = heap(kind, seed, BODIES, 4, bodies);
 	float deepest;
-	int32_t k;
-	walls(world, HALF_WIDTH);
-	for (k = 0; k < BODIES; ++k) {
-		float x = -1.8f + 1.2f * (float)(k % 4) + fixture_random(&random, -0.15f, 0.15f), size = fixture_random(&random, 0.2f, 0.3f);
-		bodies[k] = thing(world, kind < 3 ? kind : k, x, 0.6f + (float)(k / 4), size, fixture_random(&random, 0.0f, 3.0f), 0.7f);
-	}
 	fixture_step(world, 1200);
 	deepest = fixture_penetration(world, bodies, BODIES);
 	*asleep += fixture_counters(world).bodies_awake == 0;
@@ -71,6 +79,25 @@ static void t_heaps_rest_without_overlaps(void)
 	CHECK_LE("deepest overlaps, their mean", (double)sum / (KINDS * SEEDS), 0.003, "m");
 	CHECK_LE("deepest of all", (double)most, 0.006, "m");
 	CHECK_GE("heaps of 12 that sleep", asleep, 11, "");
+}
+
+/* Their overlaps are projected while parts of them still move: at last, all at once, they would begin to move again. */
+static void t_wide_heaps_fall_asleep_soon(void)
+{
+	static cn_body bodies[4 * BODIES];
+	int32_t kind, sum = 0;
+	for (kind = 0; kind < KINDS; ++kind) {
+		cn_world *world = heap(kind, 1, 4 * BODIES, 24, bodies);
+		int32_t steps = 0;
+		while (steps < 1200 && (steps < 60 || fixture_counters(world).bodies_awake > 0)) {
+			fixture_step(world, 1);
+			++steps;
+		}
+		printf("  kind %d: %d steps, deepest overlap %.2f mm\n", (int)kind, (int)steps, 1e3 * (double)fixture_penetration(world, bodies, 4 * BODIES));
+		sum += steps;
+		cn_world_destroy(world);
+	}
+	CHECK_LE("steps until they sleep, their mean", sum / KINDS, 380, "");
 }
 
 /* A block that bears a ball sticks between two walls that are 40 mm too near for it. */
@@ -142,6 +169,7 @@ int main(int argc, char **argv)
 {
 	test_begin(argc, argv);
 	RUN(t_heaps_rest_without_overlaps);
+	RUN(t_wide_heaps_fall_asleep_soon);
 	RUN(t_nothing_is_pushed_through_walls);
 	RUN(t_heaps_of_chains_fall_asleep);
 	return test_end();

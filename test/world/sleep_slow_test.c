@@ -1,8 +1,9 @@
 /*
- * test/world/sleep_slow_test.c - slow is not at rest: what gathers speed slowly, or is moved slowly by a motor, does not fall asleep.
+ * test/world/sleep_slow_test.c - slow is not at rest: what gathers speed slowly, or is moved slowly by a motor, does not fall asleep. What rocks
+ * among bodies at rest does, after a while.
  *
  * Each case is a family over a few speeds and delays of sleep. If one of them sleeps, look at cni_body_gains in
- * step/integrate_pass.h and at keep_driven_awake in step/sleep.c.
+ * step/integrate_pass.h, at keep_driven_awake and at movers_damp in step/sleep.c.
  */
 #include "sleep.h"
 
@@ -174,6 +175,66 @@ static void what_a_motor_cannot_move_sleeps(void)
 	cn_world_destroy(world);
 }
 
+/* A ball with a weight low in it, which rolls to and fro without slip: on a plate of this type. */
+static cn_body toy_on_plate(cn_world *world, int32_t type, float angle)
+{
+	cn_body toy;
+	cn_shape_def def;
+	cn_circle ball = { { 0.0f, 0.0f }, 0.5f }, weight = { { 0.0f, -0.3f }, 0.15f };
+	fixture_floor(world, 0.6f, 0.0f);
+	fixture_box(world, type, 0.0f, 0.25f, 0.0f, 2.0f, 0.25f, 0.6f, 0.0f);
+	toy = fixture_body(world, CN_BODY_DYNAMIC, 0.0f, 1.0f, angle);
+	def = fixture_shape_def(toy, 0.6f, 0.0f);
+	must(cn_shape_create_circle(world, &def, &ball, NULL), world, "cn_shape_create_circle");
+	def.density_kgpm2 = 20.0f;
+	must(cn_shape_create_circle(world, &def, &weight, NULL), world, "cn_shape_create_circle");
+	return toy;
+}
+
+/* Rolling to and fro takes no energy, but would keep awake what else rests in the island. */
+static void what_rocks_on_bodies_at_rest_comes_to_rest(void)
+{
+	static const float angles[] = { 0.03f, 0.06f, 0.1f };
+	size_t a;
+	for (a = 0; a < 3; ++a) {
+		cn_world *world = slow_world(2, 0.0f);
+		cn_body toy = toy_on_plate(world, CN_BODY_DYNAMIC, angles[a]);
+		printf("  %.2f rad: sleeps after %d steps\n", (double)angles[a], (int)steps_to_sleep(world, toy, 900));
+		CHECK(!fixture_is_awake(world, toy));
+		cn_world_destroy(world);
+	}
+}
+
+/* Nothing waits for a body that is alone in its island. */
+static void what_rocks_alone_rocks_on(void)
+{
+	cn_world *world = slow_world(2, 0.0f);
+	cn_body toy = toy_on_plate(world, CN_BODY_STATIC, 0.1f);
+	double most = 0.0;
+	int32_t k;
+	for (k = 0; k < 1800; ++k) {
+		fixture_step(world, 1);
+		most = k < 1500 ? 0.0 : greater(most, fabs(asin((double)fixture_pose(world, toy).sine)));
+	}
+	CHECK_GE("rad, its swing after 25 s", most, 0.095, "rad");
+	cn_world_destroy(world);
+}
+
+/* A plate bears it, so that it is not alone in its island. */
+static void a_box_slides_on_a_plate_at_rest(void)
+{
+	cn_world *world = slow_world(2, 3.3f);
+	cn_body box;
+	double way = 0.5 * 0.3 * SECONDS * SECONDS;
+	fixture_floor(world, 0.8f, 0.0f);
+	fixture_box(world, CN_BODY_DYNAMIC, 0.0f, 0.25f, 0.0f, 20.0f, 0.25f, 0.8f, 0.0f);
+	fixture_step(world, 10);
+	box = fixture_box(world, CN_BODY_DYNAMIC, -10.0f, 1.0f, 0.0f, 0.5f, 0.5f, 0.1125f, 0.0f); /* friction is the root of the product: 0.3 */
+	CHECK_LE("steps asleep", steps_asleep(world, box, STEPS), 0, "");
+	CHECK_GE("part of its way", ((double)fixture_pose(world, box).position_m.x + 10.0) / way, 0.98, "");
+	cn_world_destroy(world);
+}
+
 int main(void)
 {
 	RUN(boxes_slide_on_slopes_a_little_too_steep);
@@ -183,5 +244,8 @@ int main(void)
 	RUN(long_pendulums_do_not_sleep_at_their_apex);
 	RUN(what_a_motor_moves_slowly_stays_awake);
 	RUN(what_a_motor_cannot_move_sleeps);
+	RUN(what_rocks_on_bodies_at_rest_comes_to_rest);
+	RUN(what_rocks_alone_rocks_on);
+	RUN(a_box_slides_on_a_plate_at_rest);
 	return test_end();
 }

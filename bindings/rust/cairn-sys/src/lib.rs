@@ -1752,7 +1752,9 @@ extern "C" {
     /// bodies down to them and keeps the direction.
     pub fn cn_world_set_speed_limits(world: *mut cn_world, linear_mps: f32, angular_radps: f32) -> cn_result;
     /// Sets the speed in m/s, >= 0, below which bodies may sleep, and the delay in seconds, >= 0, after which
-    /// they do.
+    /// they do. Where all but one in 64 bodies of an island, or but one, have rested for four delays, those
+    /// others that no joint holds and that are slower than four times the speed lose theirs within a second
+    /// or two: what rocks in a hollow would keep all of a heap awake.
     pub fn cn_world_set_sleep(world: *mut cn_world, speed_mps: f32, delay_s: f32) -> cn_result;
     /// Stores a number for the user.
     pub fn cn_world_set_user_data(world: *mut cn_world, user_data: u64) -> cn_result;

@@ -240,7 +240,9 @@ impl World {
     }
 
     /// Sets the speed in m/s, >= 0, below which bodies may sleep, and the delay in seconds, >= 0, after which
-    /// they do.
+    /// they do. Where all but one in 64 bodies of an island, or but one, have rested for four delays, those
+    /// others that no joint holds and that are slower than four times the speed lose theirs within a second
+    /// or two: what rocks in a hollow would keep all of a heap awake.
     pub fn set_sleep(&mut self, speed_mps: f32, delay_s: f32) -> Result<()> {
         self.check(unsafe { cairn_sys::cn_world_set_sleep(self.pointer(), speed_mps, delay_s) })?;
         Ok(())
