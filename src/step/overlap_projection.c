@@ -11,11 +11,11 @@
  * part of it; other points may close up to the overlap that is left. Overlaps with what nothing moves never grow beyond a slop: a solution
  * that would make one grow is discarded. Without that, bodies between two walls that are too near would be pushed through one of them.
  *
- * An island is kept awake while it is projected, but in so many steps only: not all overlaps can be taken away, and heaps are to fall asleep.
+ * An island is projected in so many steps only: not all overlaps can be taken away, and heaps are to come to rest.
  * Left to their solvers are islands with joints or locked axes, those that are solved directly, and piles that are held from below: their
  * loads take the overlaps away, and loads that follow fast would let a stack sway until it falls.
  *
- * Reads lanes, islands, velocities; writes displacements of bodies, and loads. Where no still island overlaps it costs a scan of the separations in each
+ * Reads lanes, islands, velocities; writes displacements of bodies, and loads. Where nothing overlaps it costs a scan of the separations in each
  * fourth step.
  */
 #include "step/stages.h"
@@ -34,7 +34,7 @@
 #define STEPS_FORGET 3600u /* so long after the last one they do not count */
 #define STEPS_A_LOOK 4  /* between looks for overlaps while nothing is projected; less than the sleep delay */
 
-/* A contact point between bodies of a still island. */
+/* A contact point of an island, of whose bodies one or both are still. */
 typedef struct point {
 	cni_contact_row *row;
 	int32_t l;

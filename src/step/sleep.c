@@ -6,7 +6,7 @@
  *
  * Runs only when finalize found a body that has. An island that lost links is split first, one a step, so that separate parts
  * may sleep separately. Bodies that touch or are jointed to a moving kinematic body stay awake. So do bodies that a motor moves,
- * and bodies that sag because the direct solver has found no solution for them.
+ * and bodies that sag because the direct solver has found no solution for them. A few bodies that rock among many at rest are damped.
  */
 #include "step/stages.h"
 #include "joints/joint_type.h"
@@ -111,8 +111,6 @@ static rests rests_find(cn_world *world)
 		i->rest_time = first ? b->sleep_time : cni_min(i->rest_time, b->sleep_time);
 		i->movers = first ? moves : i->movers + moves;
 		i->rest_step = world->step_count + 1u;
-		if (i->projected_step == world->step_count + 1u)
-			i->rest_time = 0.0f; /* step/overlap_projection.c */
 		if (CNI_HAS_DIRECT && cni_island_is_unsolved(i, world->step_count) && !is_still(world, b))
 			i->rest_time = 0.0f; /* it sags, and would fall asleep so before the next attempt to solve it */
 		if (i->losses == 0 || b->sleep_time < r.longest || b->sleep_time <= 0.0f || (r.split != CNI_NONE && b->sleep_time == r.longest))
@@ -149,8 +147,8 @@ static int32_t may_be_damped(const cn_world *world, const cni_body *b)
 }
 
 /*
- * A body that rocks in a hollow, rolling to and fro without slip, loses no energy, and keeps all of its heap awake. Where all others have long
- * rested, rolling resistance stops it.
+ * A body that rocks in a hollow, rolling to and fro without slip, would keep all of its heap awake: nothing takes its energy, and contacts, which
+ * keep the arms of the step's beginning, half a step late, even drive it a little. Where all others have long rested, it is stopped.
  */
 static void movers_damp(cn_world *world, const cni_island *i, float dt)
 {
@@ -198,9 +196,9 @@ void cni_stage_sleep(cn_world *world, float dt)
 	if (CNI_HAS_JOINTS)
 		keep_driven_awake(world);
 	rests r = rests_find(world);
+	islands_damp(world, dt);
 	if (split_one(world, r.split))
 		r = rests_find(world);
-	islands_damp(world, dt);
 	if (!r.alone && world->island_used <= world->awake_count && !some_island_may_sleep(world)) /* of many islands most sleep */
 		return;
 	int32_t before = world->awake_count;

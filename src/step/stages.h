@@ -28,7 +28,7 @@ void cni_angular_momentum_restore(cn_world *world);
 int32_t cni_stage_finalize(cn_world *world, const cni_solve *s);
 /* The part of stage 8 that updates poses and boxes: sequential solver. */
 void cni_poses_take(cn_world *world);
-/* Moves still islands out of their overlaps, and keeps them awake. Runs before the warm start, at the poses of the step's beginning. */
+/* Moves still bodies out of their overlaps. Runs before the warm start, at the poses of the step's beginning. */
 void cni_stage_project_overlaps(cn_world *world, const cni_solve *s);
 /* Stage 9: calls the user's callbacks. */
 void cni_stage_events(cn_world *world);

@@ -205,7 +205,7 @@ static void what_rocks_on_bodies_at_rest_comes_to_rest(void)
 	}
 }
 
-/* Nothing waits for a body that is alone in its island. */
+/* Nothing waits for a body that is alone in its island. Its swing grows: the arms of its contact are half a step late. */
 static void what_rocks_alone_rocks_on(void)
 {
 	cn_world *world = slow_world(2, 0.0f);
