@@ -42,7 +42,13 @@ int32_t cni_is_stressed(const cn_world *world, int32_t ia, int32_t ib, float imp
 cni_vec2 cni_island_frame(const cn_world *world, cni_island *i);
 /* Do the awake island's bodies move in its frame, and their farthest points turn, at this speed at most? */
 int32_t cni_island_is_slower(const cn_world *world, cni_island *i, float most);
-/* ... no faster than bodies in a pile do? */
+/* Does the centre of an awake body move in this frame no faster than that of one that may sleep? */
+static inline int32_t cni_motion_is_slow(const cn_world *world, int32_t index, cni_vec2 frame)
+{
+	const cni_motion *m = cni_motions(world) + index;
+	return cni_sq(m->vx - frame.x) + cni_sq(m->vy - frame.y) <= cni_sq(world->settings.sleep_speed);
+}
+/* Do the awake island's bodies move in its frame no faster than bodies in a pile do? */
 int32_t cni_island_is_quiet(const cn_world *world, cni_island *i);
 /* The same of a body without an island. */
 int32_t cni_body_is_quiet(const cn_world *world, const cni_body *b);

@@ -1,5 +1,5 @@
 /*
- * contacts/deep_lanes.h - which lanes of a block overlap. Scans over all blocks of a step use it.
+ * contacts/deep_lanes.h - which lanes of a block overlap, and by how much. Scans over all blocks of a step use it.
  */
 #ifndef CNI_CONTACTS_DEEP_LANES_H
 #define CNI_CONTACTS_DEEP_LANES_H
@@ -24,6 +24,12 @@ static inline uint32_t cni_deep_lanes(const cni_contact_block *k, float most)
 		deep |= (uint32_t)(cni_min(k->p[0].s0[l], k->p[1].s0[l]) < -most) << l;
 #endif
 	return deep;
+}
+
+/* The deeper overlap of the lane's points, below 0 where they are apart. */
+static inline float cni_lane_overlap(const cni_contact_block *k, int32_t l)
+{
+	return cni_max(k->p[0].nm[l] > 0.0f ? -k->p[0].s0[l] : -FLT_MAX, k->p[1].nm[l] > 0.0f ? -k->p[1].s0[l] : -FLT_MAX);
 }
 
 #endif

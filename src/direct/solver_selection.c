@@ -109,26 +109,14 @@ static void new_contact_count(cn_world *world, int32_t index)
 	++i->new_contacts;
 }
 
-/* Does the body move in the frame of its island no faster than a body that may sleep? */
-static int32_t is_slow(const cn_world *world, int32_t index, cni_vec2 frame)
-{
-	const cni_motion *m = cni_motions(world) + index;
-	return cni_sq(m->vx - frame.x) + cni_sq(m->vy - frame.y) <= cni_sq(world->settings.sleep_speed);
-}
-
-/* 1: all its bodies do. */
+/* 1: no body moves in the frame of the island faster than one that may sleep. */
 static int32_t island_is_still(const cn_world *world, cni_island *i)
 {
 	cni_vec2 frame = cni_island_frame(world, i);
 	for (int32_t body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
-		if (!is_slow(world, cni_body_at(world, body)->awake, frame))
+		if (!cni_motion_is_slow(world, cni_body_at(world, body)->awake, frame))
 			return 0;
 	return 1;
-}
-
-static float overlap(const cni_contact_block *k, int32_t l)
-{
-	return cni_max(k->p[0].nm[l] > 0.0f ? -k->p[0].s0[l] : -FLT_MAX, k->p[1].nm[l] > 0.0f ? -k->p[1].s0[l] : -FLT_MAX);
 }
 
 /*
@@ -149,7 +137,7 @@ static int32_t island_is_meeting(const cn_world *world, const cni_island *i)
 				continue;
 			if (k->p[0].jn[l] + k->p[1].jn[l] > 0.0f)
 				return 0;
-			float deep = overlap(k, l);
+			float deep = cni_lane_overlap(k, l);
 			near += deep < -0.1f * slop && deep > -slop;
 			far += deep > most || (deep <= -slop && deep > -world->settings.contact_margin);
 		}
@@ -259,13 +247,13 @@ static int32_t is_leaning(const cn_world *world, const cni_contact_block *k, int
 	if (i->unheld_step != 0)
 		return 1;
 	cni_vec2 frame = cni_island_frame(world, i);
-	return is_slow(world, k->ia[l], frame) && is_slow(world, k->ib[l], frame);
+	return cni_motion_is_slow(world, k->ia[l], frame) && cni_motion_is_slow(world, k->ib[l], frame);
 }
 
 /* Reason why a lane is bad, 0: it is good. */
 static int32_t lane_reason(const cn_world *world, const lane_scan *q, const cni_contact_block *k, int32_t l, int32_t is_new)
 {
-	float deep = overlap(k, l);
+	float deep = cni_lane_overlap(k, l);
 	if (deep > world->settings.accuracy)
 		return CN_TIER_REASON_OVERLAP;
 	if ((deep <= q->most && !is_new) || (!is_leaning(world, k, l) && !may_be_stressed(world, k, l, q->h)))
@@ -299,7 +287,7 @@ static int32_t strikes(const cn_world *world, const lane_scan *q, const cni_cont
 	const cni_motion *a = cni_motions(world) + k->ia[l], *b = cni_motions(world) + k->ib[l];
 	if (!(b->inv_mass > 0.0f) || cni_max(a->inv_mass, b->inv_mass) <= CNI_SELECTION_MASS_RATIO * cni_min(a->inv_mass, b->inv_mass))
 		return 0;
-	if (failed && overlap(k, l) > world->settings.slop)
+	if (failed && cni_lane_overlap(k, l) > world->settings.slop)
 		return 1;
 	for (int32_t i = 0; i < 2; ++i) {
 		const cni_contact_row *p = &k->p[i];
@@ -325,7 +313,7 @@ static void strike_check(cn_world *world, const lane_scan *q, const cni_contact_
 
 static void new_lane_check(cn_world *world, lane_scan *q, const cni_contact_block *k, int32_t l)
 {
-	int32_t is_new = k->p[0].jn[l] + k->p[1].jn[l] == 0.0f && overlap(k, l) > -0.1f * world->settings.slop;
+	int32_t is_new = k->p[0].jn[l] + k->p[1].jn[l] == 0.0f && cni_lane_overlap(k, l) > -0.1f * world->settings.slop;
 	if (is_new)
 		new_contact_count(world, k->ia[l]);
 	if (cni_awake_island(world, k->ia[l]) != q->done)

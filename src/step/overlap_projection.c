@@ -49,7 +49,6 @@ typedef struct point {
 
 typedef struct still_island {
 	int32_t state;
-	cni_vec2 frame;          /* cni_island_frame */
 	float before, after;     /* its deepest overlap with what nothing moves */
 } still_island;
 
@@ -73,23 +72,20 @@ static int32_t island_is_projected(const projection *p, int32_t island)
 	cni_island *i = cni_island_at(world, island);
 	if (i->tier == CNI_TIER_DIRECT)
 		return 0;
+	if (world->step_count + 1u - i->projected_step > STEPS_FORGET)
+		i->projected_steps = 0;
+	if (i->projected_steps >= STEPS_MOST)
+		return 0;
 	for (int32_t body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next) {
 		const cni_body *b = cni_body_at(world, body);
 		if (cni_body_is_jointed(world, b) || (b->flags & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y)))
 			return 0;
 	}
-	if (world->step_count + 1u - i->projected_step > STEPS_FORGET)
-		i->projected_steps = 0;
-	if (i->projected_steps >= STEPS_MOST || cni_pile_is_supported(world, island, p->s->h))
+	if (cni_pile_is_supported(world, island, p->s->h))
 		return 0;
 	i->projected_step = world->step_count + 1u;
 	++i->projected_steps;
 	return 1;
-}
-
-static float overlap(const cni_contact_block *k, int32_t l)
-{
-	return -cni_min(k->p[0].nm[l] > 0.0f ? k->p[0].s0[l] : 0.0f, k->p[1].nm[l] > 0.0f ? k->p[1].s0[l] : 0.0f);
 }
 
 /* The state of an island that has a deep lane. Where parts of it move, only deeper ones count, each STEPS_A_LOOK steps. */
@@ -124,8 +120,7 @@ static void islands_find(projection *p, float most)
 			still_island *i = &p->islands[island];
 			if (i->state >= ISLAND_LEFT)
 				continue;
-			i->state = state_find(p, island, i->state, overlap(list[k].rows, l));
-			i->frame = cni_island_frame(p->world, cni_island_at(p->world, island));
+			i->state = state_find(p, island, i->state, cni_lane_overlap(list[k].rows, l));
 			p->found |= i->state == ISLAND_PROJECTED;
 		}
 }
@@ -136,13 +131,6 @@ static void islands_find(projection *p, float most)
 static int32_t is_fixed(const cn_world *world, const point *q)
 {
 	return cni_motions(world)[q->ib].inv_mass == 0.0f;
-}
-
-static int32_t is_slow(const projection *p, int32_t index, int32_t island)
-{
-	const cni_motion *m = cni_motions(p->world) + index;
-	cni_vec2 frame = p->islands[island].frame;
-	return cni_sq(m->vx - frame.x) + cni_sq(m->vy - frame.y) <= cni_sq(p->world->settings.sleep_speed);
 }
 
 /* slow: number of its bodies that are. A moving one is not pushed out, but what is pushed into it. */
@@ -167,7 +155,8 @@ static void point_make(const projection *p, point *q, cni_contact_block *k, int3
 /* Stores the points of a lane, or only counts them. */
 static void lane_collect(projection *p, const cni_listed_block *b, int32_t l, int32_t island)
 {
-	int32_t slow = is_slow(p, b->rows->ia[l], island) + is_slow(p, b->rows->ib[l], island);
+	cni_vec2 frame = cni_island_frame(p->world, cni_island_at(p->world, island));
+	int32_t slow = cni_motion_is_slow(p->world, b->rows->ia[l], frame) + cni_motion_is_slow(p->world, b->rows->ib[l], frame);
 	for (int32_t i = 0; slow > 0 && i < 2; ++i) {
 		if (!(b->rows->p[i].nm[l] > 0.0f) || b->rows->p[i].s0[l] > p->world->settings.slop)
 			continue;

@@ -79,6 +79,7 @@ static int32_t follow_all(cn_world *world, int32_t *total)
  */
 #define NORMAL_OF_FACES (1.0 / 512.0)
 #define NORMAL_OF_BALLS (1.0 / 256.0)
+#define ARM (1.25e-3 + 0.72 * NORMAL_OF_FACES)
 #define ARM_IN_MOTION (15e-3 + 0.72 * NORMAL_OF_FACES)
 #define SEPARATION 2.5e-4
 
@@ -98,6 +99,7 @@ typedef struct worst {
 	double separation, arm, normal, mass; /* of lanes that missed no more: metres, metres, radians, relative */
 	double separation_of_others;  /* metres */
 	int32_t lanes, followed;
+	int32_t slid;                 /* lanes whose arms missed more than ARM */
 	int32_t other;                /* lanes that missed more */
 } worst;
 
@@ -154,6 +156,7 @@ static void compare(worst *w, const lane_copy *a, const lane_copy *b)
 	}
 	w->separation = greater(w->separation, one.separation);
 	w->arm = greater(w->arm, one.arm);
+	w->slid += one.arm > ARM;
 	w->normal = greater(w->normal, one.normal);
 	w->mass = greater(w->mass, one.mass);
 }
@@ -218,11 +221,12 @@ static worst piles_run(int32_t kinds, int32_t before, int32_t steps, double norm
 	return w;
 }
 
-/* Bodies have slid as their overlaps were projected: a lane at rest may be off by what one in motion may. */
+/* A body may have slid as its overlaps were projected: few lanes at rest are off by more than a quarter of the slop, by what those in motion may. */
 static void a_pile_at_rest_is_followed(void)
 {
 	worst w = piles_run(1, 600, 100, NORMAL_OF_FACES, ARM_IN_MOTION);
 	CHECK_GE("part of the lanes that is followed", (double)w.followed / (double)w.lanes, 0.9, "");
+	CHECK_LE("part of the lanes that slid", (double)w.slid / (double)w.followed, 0.002, "");
 	CHECK_LE("masses", w.mass, 1e-2, "");
 }
 
