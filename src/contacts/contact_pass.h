@@ -97,6 +97,7 @@ typedef struct cni_reuse_pass {
 	float hair;        /* limit of the motion of a separated pair in the step, metres */
 	float apart_most;  /* limit of the separation, metres */
 	float depth_most;  /* limit of the overlap, metres */
+	float advance_most; /* limit of the advance of arms, metres */
 	float lag_sq;      /* cni_normal_lag_sq */
 } cni_reuse_pass;
 

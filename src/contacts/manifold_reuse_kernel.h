@@ -9,7 +9,7 @@
  *   s = less + dn' - turned(ra).n      if it is b's (info.of_b), or if b is static: the frame is then the world's
  *   drift = dt' - dt + turned(rb).t, or - turned(ra).t      sliding of the incident body along the face
  * This is exact until other features touch, but for the slope of edges: edge_holds. Points slide along with the body of which they are
- * corners (info.points_of_b), or stay on the face. For a circle about its body's centre, turning changes nothing; between two such circles
+ * corners (info.points_of_b), or stay on the face; the arm of a corner alone, of which the lane has that of the anchor, turns, too. For a circle about its body's centre, turning changes nothing; between two such circles
  * the normal is that of the centres. Of other pairs (two corners, one-sided chains) the normal only seems to be at rest, and they may slide
  * less: CNI_REUSE_PART. The lane's normal may lag behind the face's: CNI_NORMAL_LAG.
  *
@@ -88,6 +88,7 @@ CNI_INLINE reuse_pair reuse_gather(const cni_reuse_pass *pass, const cni_contact
 /* What the vector's lanes are: bits of cni_block_info. */
 typedef struct reuse_kind {
 	cni_mask fixed, of_b, face, points_of_b;
+	cni_mask corner;  /* a corner or circle alone on a face */
 	cni_mask circles; /* two circles about their bodies' centres */
 	cni_mask round;   /* the incident one is such a circle: turning changes nothing */
 } reuse_kind;
@@ -107,6 +108,7 @@ CNI_INLINE reuse_kind reuse_kind_of(const cni_reuse_pass *pass, const reuse_pair
 	r.face = cni_mask_of_bits((uint32_t)info->face >> l);
 	r.of_b = r.fixed | (r.face & of_b);
 	r.points_of_b = cni_mask_of_bits((uint32_t)info->points_of_b >> l);
+	r.corner = alone & r.face;
 	r.circles = r.round = cni_mask_of_bits(0);
 	if (cni_mask_bits(alone) != 0) {
 		cni_wide at = cni_wide_load(k->p[0].at + l), an = cni_wide_load(k->p[0].an + l), s = cni_wide_load(k->p[0].s0 + l);
@@ -164,13 +166,18 @@ typedef struct reuse_point {
 CNI_INLINE reuse_point reuse_point_make(const reuse_change *g, const reuse_kind *r, const cni_contact_block *k, const cni_block_anchor *anchor, int32_t which, int32_t l)
 {
 	const cni_contact_row *p = &k->p[which];
-	cni_wide an = cni_wide_load(p->an + l), at = cni_wide_load(p->at + l), bt = at - cni_wide_load(k->dt + l), then = cni_wide_load(anchor->dt + l);
-	cni_wide arm_n = cni_wide_select(r->of_b, an, an - cni_wide_load(k->dn + l)), arm_t = cni_wide_select(r->of_b, bt + then, at - then);
+	const cni_wide zero = cni_wide_of(0.0f);
+	cni_mask incident = r->points_of_b ^ r->of_b, corner = which == 0 ? r->corner : cni_mask_of_bits(0);
+	cni_wide an = cni_wide_load(p->an + l), at = cni_wide_load(p->at + l), then = cni_wide_load(anchor->dt + l);
+	cni_wide own = cni_wide_select(corner, cni_wide_load(k->p[1].at + l), at - cni_wide_select(r->points_of_b, cni_wide_load(k->dt + l), zero));
+	cni_wide arm_n = cni_wide_select(r->of_b, an, an - cni_wide_load(k->dn + l));
+	cni_wide arm_t = own + cni_wide_select(incident, zero, cni_wide_select(r->of_b, then, -then));
 	cni_wide along_n = g->cos1 * arm_n + g->sin * arm_t, along_t = g->cos1 * arm_t - g->sin * arm_n;
 	reuse_point q;
 	q.s = cni_wide_load(anchor->of.less[which] + l) + g->dn + cni_wide_select(r->of_b, -along_n, along_n);
 	q.drift = g->slide + cni_wide_select(r->of_b, -along_t, along_t);
-	q.at = cni_wide_select(r->points_of_b, bt + g->dt, at);
+	own += cni_wide_select(corner & incident, along_t, zero);
+	q.at = own + cni_wide_select(r->points_of_b, g->dt, zero);
 	q.shift = 0.5f * (q.s - cni_wide_load(p->s0 + l)); /* the point stays midway between the surfaces */
 	q.shift = cni_wide_select(r->of_b, g->dn_change - q.shift, q.shift);
 	q.an = an + q.shift;
@@ -218,6 +225,24 @@ CNI_INLINE void reuse_point_store(const reuse_pair *f, cni_contact_row *row, int
 	cni_wide_store_where(row->nm + l, where, 1.0f / (f->ma + f->mb + f->ia * p->at * p->at + f->ib * bt * bt));
 }
 
+/* Puts what rolls half a step ahead: see rolling_advance of model/contact_lane.c. Returns dt. */
+CNI_INLINE cni_wide rolling_advance(const cni_reuse_pass *pass, const reuse_pair *f, const cni_contact_block *k, int32_t l, const reuse_kind *r, cni_wide dn, reuse_change *g, reuse_point *p)
+{
+	const cni_wide zero = cni_wide_of(0.0f), h = cni_wide_of(0.5f * pass->dt);
+	cni_mask rolls = r->corner & (cni_wide_load(k->p[1].an + l) > zero) & (cni_wide_load(k->p[0].jn + l) > zero);
+	if (cni_mask_bits(rolls) == 0)
+		return g->dt;
+	cni_wide w = cni_wide_select(r->of_b, f->wb, f->wa), slide = h * (g->ny * f->vx - g->nx * f->vy + w * g->dn);
+	cni_wide turn = h * cni_wide_select(r->points_of_b, (w - f->wb) * (p->an - dn), (w - f->wa) * p->an);
+	cni_wide of_a = cni_wide_select(r->points_of_b, turn + slide, turn), of_b = of_a - slide;
+	rolls = rolls & (cni_wide_max(cni_wide_abs(of_a), cni_wide_abs(of_b)) <= cni_wide_of(pass->advance_most));
+	cni_wide u = cni_wide_select(rolls, 0.5f * h * w, zero), sine = 2.0f * u / (1.0f + u * u), cosine = 1.0f - u * sine, nx = g->nx;
+	g->nx = cosine * nx - sine * g->ny;
+	g->ny = cosine * g->ny + sine * nx;
+	p->at += cni_wide_select(rolls, of_a, zero);
+	return g->dt + cni_wide_select(rolls, slide, zero);
+}
+
 /* Lanes that keep their normal although the true one is now (nx, ny). two: both points exist; wa, wb: angular velocities. */
 CNI_INLINE cni_mask normal_lags(const cni_contact_block *k, int32_t l, cni_mask two, cni_wide nx, cni_wide ny, cni_wide wa, cni_wide wb, float lag_sq)
 {
@@ -233,15 +258,17 @@ CNI_INLINE uint32_t reuse_group(const cni_reuse_pass *pass, cni_contact_block *k
 	reuse_change g = reuse_change_make(&f, &r, k, anchor, l);
 	reuse_point p = reuse_point_make(&g, &r, k, anchor, 0, l), q = reuse_point_make(&g, &r, k, anchor, 1, l);
 	cni_wide fa = cni_wide_load(k->fa + l) + cni_wide_select(q.used, 0.5f * (p.shift + q.shift), p.shift), fb = fa - g.dn;
+	cni_wide dn = cni_wide_load(k->dn + l) + g.dn_change, dt;
 	cni_mask turned, good = cni_mask_of_bits(anchored >> l) & (cni_wide_load(anchor->c + l) * f.turn_c + cni_wide_load(anchor->s + l) * f.turn_s > cni_wide_of(0.0f));
 	good = good & edge_holds(pass, &r, &p, &q) & reuse_holds(pass, &f, &g, &p, &q, fa, fb, &r);
-	reuse_point_store(&f, &k->p[0], l, good, &p, g.dt);
-	reuse_point_store(&f, &k->p[1], l, good, &q, g.dt);
+	dt = rolling_advance(pass, &f, k, l, &r, dn, &g, &p);
+	reuse_point_store(&f, &k->p[0], l, good, &p, dt);
+	reuse_point_store(&f, &k->p[1], l, good, &q, dt);
 	turned = good & ~normal_lags(k, l, q.used, g.nx, g.ny, f.wa, f.wb, pass->lag_sq);
 	cni_wide_store_where(k->nx + l, turned, g.nx);
 	cni_wide_store_where(k->ny + l, turned, g.ny);
-	cni_wide_store_where(k->dn + l, good, cni_wide_load(k->dn + l) + g.dn_change);
-	cni_wide_store_where(k->dt + l, good, g.dt);
+	cni_wide_store_where(k->dn + l, good, dn);
+	cni_wide_store_where(k->dt + l, good, dt);
 	cni_wide_store_where(k->fa + l, good, fa);
 	cni_wide_store_where(k->fb + l, good, fb);
 	cni_wide_store_where(k->tm + l, good, 1.0f / (f.ma + f.mb + f.ia * fa * fa + f.ib * fb * fb));

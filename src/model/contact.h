@@ -24,6 +24,8 @@
  *   s0 separation, nm = 1 / (n K n), jn accumulated normal impulse, load its slow mean
  *   fa, fb arms of the friction point along n from the two centres; tm = 1 / (t K t) there, jt accumulated
  *   friction impulse along t on body b
+ *   a round corner alone on a face: normal, at and dt are those of the middle of the step, so that rolling gains no energy
+ *   (rolling_advance); the second point's an is its radius, else 0, and at the arm on its body when the anchor was taken
  *   an = qa.n, dn = an - qb.n for the points qa, qb that turn with the bodies: the contact point less the
  *   shapes' radii, so that a rolling circle keeps its separation
  *

@@ -171,6 +171,21 @@ static uint32_t is_circle(const cn_world *world, int32_t proxy)
 	return cni_shape_geometry(&world->blocks, cni_shape_at(world, cni_proxy_at(world, proxy)->shape))->type == CN_SHAPE_CIRCLE;
 }
 
+/* A lane's point alone on a face: the lane bodies whose the face and the corner (or circle) are. */
+typedef struct corner_kind {
+	uint32_t has_face, face_of_b, corner_of_b;
+} corner_kind;
+
+CNI_INLINE corner_kind corner_kind_of(const cni_contact *c)
+{
+	uint32_t axis_of_b = c->cache.axis > CN_POLYGON_MAX_VERTICES, edges = edges_of(c->id[0], axis_of_b);
+	corner_kind k;
+	k.has_face = (c->cache.axis != 0) & (edges ^ edges >> 8);
+	k.face_of_b = axis_of_b ^ ((c->flags & CNI_CONTACT_FLIPPED) != 0);
+	k.corner_of_b = k.face_of_b ^ (edges >> 8 & 1u);
+	return k;
+}
+
 /* What normal and points move with. The manifold's axis names the face, where there is one; a single corner on a corner has none. Points are
    taken to be of the face's body unless all are corners of the other. */
 CNI_INLINE void anchor_write_kind(const cn_world *world, const cni_contact *c, int32_t ib, cni_block_info *info, uint32_t l, int32_t points)
@@ -195,12 +210,19 @@ CNI_INLINE void normal_keep(cni_block_info *info, cni_block_anchor *anchor, uint
 	anchor->ny[l] = n.y;
 }
 
+/* A corner that is at rest and a face that is not: the anchor has no room for the turned normal. */
+static int32_t is_corner_of_static(const cni_contact *c, int32_t ib, int32_t points)
+{
+	corner_kind kind = corner_kind_of(c);
+	return points == 1 && ib == 0 && kind.has_face && !kind.face_of_b;
+}
+
 /* Writes the anchor, after the lane's rows. */
-CNI_INLINE void anchor_write(cn_world *world, const cni_contact *c, const cni_contact_block *block, cni_block_info *info, const lane_frame *f, int32_t points, float gap)
+CNI_INLINE void anchor_write(cn_world *world, const cni_contact *c, cni_contact_block *block, cni_block_info *info, const lane_frame *f, int32_t points, float gap)
 {
 	uint32_t slot = (uint32_t)c->slot, l = slot % CNI_LANES, of_b;
 	cni_block_anchor *anchor = cni_block_anchor_at(world, (int32_t)(slot / CNI_LANES));
-	if (gap != 0.0f || !may_be_reused(world, c, info, f)) {
+	if (gap != 0.0f || is_corner_of_static(c, block->ib[l], points) || !may_be_reused(world, c, info, f)) {
 		cni_lane_invalidate(world, c->slot);
 		anchor->of.fresh.gap[l] = gap;
 		if (points == 2 && block->ib[l] != 0)
@@ -220,6 +242,8 @@ CNI_INLINE void anchor_write(cn_world *world, const cni_contact *c, const cni_co
 	anchor->s[l] = turn.s;
 	anchor->of.less[0][l] = block->p[0].s0[l] - centers;
 	anchor->of.less[1][l] = block->p[1].s0[l] - centers;
+	if (points == 1)
+		block->p[1].at[l] = block->p[0].at[l] - (info->points_of_b >> l & 1u ? block->dt[l] : 0.0f);
 }
 
 CNI_INLINE old_point old_point_take(cni_contact *c, const cni_contact_block *block, int32_t k, uint32_t lane)
@@ -237,6 +261,31 @@ static int32_t normal_lags(const cn_world *world, const cni_contact_block *block
 	if (most_sq < 0.0f || block->ib[lane] == 0 || !(x * x + y * y <= most_sq))
 		return 0;
 	return cni_max(cni_abs(motions[block->ia[lane]].w), cni_abs(motions[block->ib[lane]].w)) <= CNI_NORMAL_LAG_SPIN;
+}
+
+/*
+ * Puts normal and arms of a round corner that bears on a face, alone, half a step ahead: at the beginning of the step they are half a step late
+ * on average, and what rolls to and fro gains energy. One that does not bear may be struck in the step, and move otherwise. Seen from the
+ * face, whose body turns with w, a corner of a and the centre of b move along t by
+ *   at' = (w - wa) an,  dt' = t.(vb - va) + w d.n      (a corner of b: (at - dt)' = (w - wb) (an - dn))
+ */
+static void rolling_advance(const cn_world *world, const cni_contact *c, const cni_touch_result *touch, cni_contact_block *block, uint32_t lane)
+{
+	const cni_motion *a = cni_motions(world) + block->ia[lane], *b = cni_motions(world) + block->ib[lane];
+	corner_kind kind = corner_kind_of(c);
+	cni_contact_row *p = &block->p[0];
+	float h = 0.5f * world->step_dt, w = kind.face_of_b ? b->w : a->w, apart = block->fa[lane] - block->fb[lane], nx = block->nx[lane], ny = block->ny[lane];
+	float slide = h * (ny * (b->vx - a->vx) - nx * (b->vy - a->vy) + w * apart);
+	float u = 0.5f * h * w, sine = 2.0f * u / (1.0f + u * u), cosine = 1.0f - u * sine; /* of the angle h w, nearly */
+	float turn = kind.corner_of_b ? h * (w - b->w) * (p->an[lane] - block->dn[lane]) : h * (w - a->w) * p->an[lane];
+	float of_a = kind.corner_of_b ? turn + slide : turn, of_b = of_a - slide;
+	block->p[1].an[lane] = kind.has_face ? touch->radius[kind.corner_of_b ^ ((c->flags & CNI_CONTACT_FLIPPED) != 0)] : 0.0f;
+	if (!(block->p[1].an[lane] > 0.0f) || !(p->jn[lane] > 0.0f) || !(cni_max(cni_abs(of_a), cni_abs(of_b)) <= CNI_ROLLING_ADVANCE_SLOPS * world->settings.slop))
+		return;
+	block->nx[lane] = cosine * nx - sine * ny;
+	block->ny[lane] = cosine * ny + sine * nx;
+	float at = p->at[lane] += of_a, dt = block->dt[lane] += slide, bt = at - dt;
+	p->nm[lane] = cni_inverse_or_zero(a->inv_mass + b->inv_mass + a->inv_inertia * at * at + b->inv_inertia * bt * bt);
 }
 
 void cni_contact_write(cn_world *world, cni_contact *c, const cni_body *a, const cni_body *b, const cni_touch_result *touch)
@@ -296,6 +345,8 @@ void cni_contact_write(cn_world *world, cni_contact *c, const cni_body *a, const
 	if ((c->flags & CNI_CONTACT_REFRESH) || f.locks || (info->flags & CNI_BLOCK_EXTRA))
 		lane_write_rare(world, c, &f);
 	anchor_write(world, c, block, info, &f, manifold->count, ahead);
+	if (manifold->count == 1 && !f.locks)
+		rolling_advance(world, c, touch, block, lane);
 }
 
 void cni_contact_write_empty(cn_world *world, int32_t contact)

@@ -80,14 +80,16 @@ CNI_TUNING_FLOAT(CNI_CARRIER_SPIN, 1e-3f)
 CNI_TUNING_FLOAT(CNI_PILE_STRESS_MAX, 15.0f)
 /* Part of the body's size. A body that bears s weights is stressed when s^2 g h^2 exceeds this part: it may buckle. */
 CNI_TUNING_FLOAT(CNI_PILE_BUCKLING_PART, 0.055f)
+/* Slops. Arms of what rolls that change more within half a step are left as they are at its beginning: what moves so fast is soon struck. */
+CNI_TUNING_FLOAT(CNI_ROLLING_ADVANCE_SLOPS, 1.0f)
 /* Part of the smaller body's extent. Farther sliding of surfaces along each other invalidates a reused manifold. */
-CNI_TUNING_FLOAT(CNI_REUSE_PART, 1.0f / 256.0f)
+CNI_TUNING_FLOAT(CNI_REUSE_PART, 1.0f / 1024.0f)
 /* Likewise where corners of one body touch a face of the other and both may move: the reused manifold is exact until other features touch. */
 CNI_TUNING_FLOAT(CNI_REUSE_FACE_PART, 1.0f / 16.0f)
 /* Slops. The same limit for large bodies. */
 CNI_TUNING_FLOAT(CNI_REUSE_FACE_SLOPS, 3.0f)
 /* Part of that for a single corner, of which it is not known where the face ends. */
-CNI_TUNING_FLOAT(CNI_REUSE_CORNER_PART, 1.0f / 3.0f)
+CNI_TUNING_FLOAT(CNI_REUSE_CORNER_PART, 1.0f / 16.0f)
 /* Steps. A pair that comes to rest gets a new manifold: it may have slid by no more than its present motion in so many steps. */
 CNI_TUNING_FLOAT(CNI_REUSE_STEPS, 32.0f)
 /* Contact margins. Deeper overlaps get a new manifold: another face may be the nearest. */

@@ -60,6 +60,7 @@ static cni_reuse_pass pass_make(const cn_world *world, float dt)
 	pass.tiny = CNI_ROUND_PER_SLOP * world->settings.slop;
 	pass.hair = 0.1f * world->settings.slop;
 	pass.depth_most = CNI_REUSE_DEPTH_MARGINS * world->settings.contact_margin;
+	pass.advance_most = CNI_ROLLING_ADVANCE_SLOPS * world->settings.slop;
 	pass.lag_sq = cni_normal_lag_sq(world);
 	pass.apart_most = world->settings.contact_margin - pass.hair;
 	return pass;

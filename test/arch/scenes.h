@@ -18,14 +18,14 @@ typedef struct arch_scene {
 
 #define ARCH_SCENES 8
 static const arch_scene arch_scenes[ARCH_SCENES] = {
-	{ "shapes", scene_shapes, 0x4cbfae011f1d3379 },
-	{ "joints", scene_joints, 0xf556e3847e4d26db },
-	{ "direct", scene_direct, 0xf6743000c1d47189 },
-	{ "tiers", scene_tiers, 0x2726bcc5a63e53d7 },
-	{ "sequential", scene_sequential, 0x8420c332fa1de2a4 },
-	{ "queries", scene_queries, 0xb79cb4644a093b1c },
-	{ "events", scene_events, 0xb0fd62ae431861ac },
-	{ "file", scene_file, 0xf37363360846a9b0 },
+	{ "shapes", scene_shapes, 0x3f7d38d5bb1f176e },
+	{ "joints", scene_joints, 0x75e2e32bb67b4458 },
+	{ "direct", scene_direct, 0x1524e5d904ff95dd },
+	{ "tiers", scene_tiers, 0x9314fd04fe52f985 },
+	{ "sequential", scene_sequential, 0x08c4cf8f2876c0a2 },
+	{ "queries", scene_queries, 0x9c8eb7c928c66a1c },
+	{ "events", scene_events, 0x24d26d0cd222177d },
+	{ "file", scene_file, 0xc6b66500e5bcf554 },
 };
 
 /* The number of a scene; 0 if a call failed: arch_failed_line. */

@@ -154,12 +154,12 @@ static int32_t high_houses_that_fall(int32_t solver, float gravity)
 
 static void t_houses_of_cards_settle(void)
 {
-	CHECK_LE("houses of 96 that fall", houses_that_fall(CN_SOLVER_AUTO), 1, "");
-	CHECK_LE("... with soft constraints alone", houses_that_fall(CN_SOLVER_SOFT), 1, "");
-	CHECK_LE("high houses of 40 that fall", high_houses_that_fall(CN_SOLVER_AUTO, 10.0f), 3, "");
-	CHECK_LE("... with soft constraints alone", high_houses_that_fall(CN_SOLVER_SOFT, 10.0f), 3, "");
-	CHECK_LE("... under four times the gravity", high_houses_that_fall(CN_SOLVER_AUTO, 40.0f), 6, "");
-	CHECK_LE("... with soft constraints alone", high_houses_that_fall(CN_SOLVER_SOFT, 40.0f), 6, "");
+	CHECK_LE("houses of 96 that fall", houses_that_fall(CN_SOLVER_AUTO), 0, "");
+	CHECK_LE("... with soft constraints alone", houses_that_fall(CN_SOLVER_SOFT), 0, "");
+	CHECK_LE("high houses of 40 that fall", high_houses_that_fall(CN_SOLVER_AUTO, 10.0f), 0, "");
+	CHECK_LE("... with soft constraints alone", high_houses_that_fall(CN_SOLVER_SOFT, 10.0f), 0, "");
+	CHECK_LE("... under four times the gravity", high_houses_that_fall(CN_SOLVER_AUTO, 40.0f), 3, "");
+	CHECK_LE("... with soft constraints alone", high_houses_that_fall(CN_SOLVER_SOFT, 40.0f), 1, "");
 }
 
 static void weld(cn_world *world, cn_body a, cn_body b, float x, float y)
