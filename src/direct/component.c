@@ -234,10 +234,11 @@ static void sides_save(cni_sparse *sparse, const cni_component *c, int32_t resto
  * With A = K + C, right sides b and A x = b, the velocity change M^-1 J^T x has twice the kinetic energy x K x <= x A x = x b: no solution
  * exceeds the work of its right sides. A solution that exceeds it was made by pivots that are rounding. Where J u = b, x b <= u M u: no work
  * exceeds that of a stop of all motion, of motors and of all bodies at the greatest closing speed. More closes gaps of contradictory rows.
+ * Nor does kinetic energy grow by more than that of the closing, where no row has a bound, at which it may do any work.
  */
 static int32_t is_bounded(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
-	cni_four work = cni_four_all(0.0f), change = work, before = work;
+	cni_four work = cni_four_all(0.0f), change = work, before = work, after = work;
 	float fastest = world->settings.push_speed_max, push = 0.0f, all;
 	for (int32_t k = c->begin; k < c->end; ++k) {
 		const cni_node *n = &sparse->nodes[k];
@@ -251,12 +252,15 @@ static int32_t is_bounded(const cn_world *world, const cni_sparse *sparse, const
 		const cni_motion *m = cni_motions(world) + sparse->bodies[k];
 		float mass = cni_inverse_or_zero(m->inv_mass);
 		cni_four masses = cni_four_of(mass, mass, cni_inverse_or_zero(m->inv_inertia), 0.0f), old = cni_four_load(&sparse->saved[k].vx);
-		cni_four v = cni_four_subtract(cni_four_load(&m->vx), old);
+		cni_four now = cni_four_load(&m->vx), v = cni_four_subtract(now, old);
 		change = cni_four_add(change, cni_four_times(cni_four_times(v, v), masses));
 		before = cni_four_add(before, cni_four_times(cni_four_times(old, old), masses));
+		after = cni_four_add(after, cni_four_times(cni_four_times(now, now), masses));
 		push += mass * fastest * fastest;
 	}
 	all = cni_four_sum(before);
+	if (!c->active && cni_four_sum(after) > 1.001f * all + push)
+		return 0;
 	return cni_four_sum(work) <= 2.0f * (all + push) && cni_four_sum(change) <= 1.1f * cni_four_sum(work) + 1e-6f * all; /* false for NaN */
 }
 
@@ -370,6 +374,67 @@ static void row_forget(const cn_world *world, cni_row *r, int32_t ia, int32_t ib
 	cni_start_add(cni_starts(world) + ia, &change_a, 1.0f);
 	cni_start_add(cni_starts(world) + ib, &change_b, 1.0f);
 	r->impulse = 0.0f;
+}
+
+/* Twice the kinetic energy of a component's bodies: of their motion, or of its start without the impulses of the last substep. */
+static float energy_twice(const cn_world *world, const cni_sparse *sparse, const cni_component *c, int32_t at_start)
+{
+	cni_four sum = cni_four_all(0.0f);
+	for (int32_t k = c->body_begin; k < c->body_end; ++k) {
+		const cni_motion *m = cni_motions(world) + sparse->bodies[k];
+		float mass = cni_inverse_or_zero(m->inv_mass);
+		cni_four v = cni_four_load(at_start ? &cni_starts(world)[sparse->bodies[k]].vx : &m->vx);
+		sum = cni_four_add(sum, cni_four_times(cni_four_times(v, v), cni_four_of(mass, mass, cni_inverse_or_zero(m->inv_inertia), 0.0f)));
+	}
+	return cni_four_sum(sum);
+}
+
+/* ... that a warm start may bring beyond a multiple of what there is. */
+static float warm_energy_allowed(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	float mass = 0.0f;
+	for (int32_t k = c->body_begin; k < c->body_end; ++k)
+		mass += cni_inverse_or_zero(cni_motions(world)[sparse->bodies[k]].inv_mass);
+	return mass * cni_sq(CNI_WARM_PUSH_PART * world->settings.push_speed_max);
+}
+
+static void warm_start_remove(cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	for (int32_t k = c->begin; k < c->end; ++k) {
+		const cni_joint_constraint *w = cni_joint_constraints(world) + sparse->nodes[k].owner;
+		for (int32_t i = 0; sparse->nodes[k].owner >= 0 && i < w->row_count; ++i)
+			cni_lever_push(&w->rows[i].lever, -w->rows[i].impulse, cni_motions(world) + w->ia, cni_motions(world) + w->ib);
+	}
+}
+
+static void impulses_clear(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	for (int32_t k = c->begin; k < c->end; ++k) {
+		cni_joint_constraint *w = cni_joint_constraints(world) + sparse->nodes[k].owner;
+		for (int32_t i = 0; sparse->nodes[k].owner >= 0 && i < w->row_count; ++i)
+			w->rows[i].impulse = 0.0f;
+	}
+}
+
+/*
+ * The impulses of the last substep belong to its levers. Where a net turns fast or is nearly straight they are large, and those of turned
+ * levers bring energy that a solution with yielding rows does not take out again.
+ */
+void cni_component_start(cn_world *world, cni_sparse *sparse, const cni_component *c)
+{
+	float warm, allowed;
+	if (!c->loops || c->active)
+		return;
+	warm = energy_twice(world, sparse, c, 0);
+	allowed = warm_energy_allowed(world, sparse, c);
+	if (warm <= CNI_WARM_ENERGY_MOST * energy_twice(world, sparse, c, 1) + allowed)
+		return;
+	cni_direct_motions_save(world, sparse, c, 0);
+	warm_start_remove(world, sparse, c);
+	if (warm > CNI_WARM_ENERGY_MOST * energy_twice(world, sparse, c, 0) + allowed)
+		impulses_clear(world, sparse, c);
+	else
+		cni_direct_motions_save(world, sparse, c, 1);
 }
 
 /* Its joints are soft from now on, without the impulses of the solution that failed: they cancel each other in light bodies, and soft joints,

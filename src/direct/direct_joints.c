@@ -350,6 +350,8 @@ static void component_pass(cn_world *world, const cni_solve *s, cni_component *c
 	if (c->has_contacts && !cni_direct_contacts_solve(world, s, s->direct, c, bias))
 		contacts_release(world, s->direct, c);
 	if (!c->has_contacts) {
+		if (bias)
+			cni_component_start(world, s->direct, c);
 		cni_direct_right_sides(world, s, c, bias);
 		cni_component_solve(world, s, c);
 	}

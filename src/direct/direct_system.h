@@ -53,6 +53,8 @@ static inline void cni_node_impulses_add(const cni_node *n, cni_row *rows, const
 void cni_component_solve(cn_world *world, const cni_solve *s, cni_component *c);
 /* What a component failed at in a loop that workers share: solutions of its joints, or through them those of contacts alone. */
 enum { CNI_FAILED_JOINTS = 1, CNI_FAILED_CONTACTS = 2 };
+/* Takes the warm start of its joints back where it is wild. */
+void cni_component_start(cn_world *world, cni_sparse *sparse, const cni_component *c);
 /* After the loop: the joints of a component that failed are soft. */
 void cni_component_give_up(cn_world *world, cni_sparse *sparse, cni_component *c);
 
