@@ -167,7 +167,7 @@ CNI_INLINE reuse_point reuse_point_make(const reuse_change *g, const reuse_kind 
 {
 	const cni_contact_row *p = &k->p[which];
 	const cni_wide zero = cni_wide_of(0.0f);
-	cni_mask incident = r->points_of_b ^ r->of_b, corner = which == 0 ? r->corner : cni_mask_of_bits(0);
+	cni_mask incident = r->points_of_b ^ r->of_b, corner = CNI_HAS_CIRCLES && which == 0 ? r->corner : cni_mask_of_bits(0);
 	cni_wide an = cni_wide_load(p->an + l), at = cni_wide_load(p->at + l), then = cni_wide_load(anchor->dt + l);
 	cni_wide own = cni_wide_select(corner, cni_wide_load(k->p[1].at + l), at - cni_wide_select(r->points_of_b, cni_wide_load(k->dt + l), zero));
 	cni_wide arm_n = cni_wide_select(r->of_b, an, an - cni_wide_load(k->dn + l));
@@ -230,7 +230,7 @@ CNI_INLINE cni_wide rolling_advance(const cni_reuse_pass *pass, const reuse_pair
 {
 	const cni_wide zero = cni_wide_of(0.0f), h = cni_wide_of(0.5f * pass->dt);
 	cni_mask rolls = r->corner & (cni_wide_load(k->p[1].an + l) > zero) & (cni_wide_load(k->p[0].jn + l) > zero);
-	if (cni_mask_bits(rolls) == 0)
+	if (!CNI_HAS_CIRCLES || cni_mask_bits(rolls) == 0)
 		return g->dt;
 	cni_wide w = cni_wide_select(r->of_b, f->wb, f->wa), slide = h * (g->ny * f->vx - g->nx * f->vy + w * g->dn);
 	cni_wide turn = h * cni_wide_select(r->points_of_b, (w - f->wb) * (p->an - dn), (w - f->wa) * p->an);

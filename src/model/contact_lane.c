@@ -222,7 +222,7 @@ CNI_INLINE void anchor_write(cn_world *world, const cni_contact *c, cni_contact_
 {
 	uint32_t slot = (uint32_t)c->slot, l = slot % CNI_LANES, of_b;
 	cni_block_anchor *anchor = cni_block_anchor_at(world, (int32_t)(slot / CNI_LANES));
-	if (gap != 0.0f || is_corner_of_static(c, block->ib[l], points) || !may_be_reused(world, c, info, f)) {
+	if (gap != 0.0f || (CNI_HAS_CIRCLES && is_corner_of_static(c, block->ib[l], points)) || !may_be_reused(world, c, info, f)) {
 		cni_lane_invalidate(world, c->slot);
 		anchor->of.fresh.gap[l] = gap;
 		if (points == 2 && block->ib[l] != 0)
@@ -242,7 +242,7 @@ CNI_INLINE void anchor_write(cn_world *world, const cni_contact *c, cni_contact_
 	anchor->s[l] = turn.s;
 	anchor->of.less[0][l] = block->p[0].s0[l] - centers;
 	anchor->of.less[1][l] = block->p[1].s0[l] - centers;
-	if (points == 1)
+	if (CNI_HAS_CIRCLES && points == 1)
 		block->p[1].at[l] = block->p[0].at[l] - (info->points_of_b >> l & 1u ? block->dt[l] : 0.0f);
 }
 
@@ -345,7 +345,7 @@ void cni_contact_write(cn_world *world, cni_contact *c, const cni_body *a, const
 	if ((c->flags & CNI_CONTACT_REFRESH) || f.locks || (info->flags & CNI_BLOCK_EXTRA))
 		lane_write_rare(world, c, &f);
 	anchor_write(world, c, block, info, &f, manifold->count, ahead);
-	if (manifold->count == 1 && !f.locks)
+	if (CNI_HAS_CIRCLES && manifold->count == 1 && !f.locks)
 		rolling_advance(world, c, touch, block, lane);
 }
 
