@@ -9,9 +9,10 @@
  *   s = less + dn' - turned(ra).n      if it is b's (info.of_b), or if b is static: the frame is then the world's
  *   drift = dt' - dt + turned(rb).t, or - turned(ra).t      sliding of the incident body along the face
  * This is exact until other features touch, but for the slope of edges: edge_holds. Points slide along with the body of which they are
- * corners (info.points_of_b), or stay on the face; the arm of a corner alone, of which the lane has that of the anchor, turns, too. For a circle about its body's centre, turning changes nothing; between two such circles
- * the normal is that of the centres. Of other pairs (two corners, one-sided chains) the normal only seems to be at rest, and they may slide
- * less: CNI_REUSE_PART. The lane's normal may lag behind the face's: CNI_NORMAL_LAG.
+ * corners (info.points_of_b), or stay on the face; the arm of a corner alone, of which the lane has that of the anchor, turns, too. For a
+ * circle about its body's centre, turning changes nothing; between two such circles the normal is that of the centres. Of other pairs (two
+ * corners, one-sided chains) the normal only seems to be at rest, and they may slide less: CNI_REUSE_PART. The lane's normal may lag behind
+ * the face's: CNI_NORMAL_LAG.
  *
  * The kernel rejects a pair that slid or turned farther than a small part of its size, as other features may touch, a pair with a
  * separation beyond the contact margin or a deep overlap, and a pair so fast that it may leave these limits within the step. Rejected

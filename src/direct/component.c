@@ -376,26 +376,24 @@ static void row_forget(const cn_world *world, cni_row *r, int32_t ia, int32_t ib
 	r->impulse = 0.0f;
 }
 
-/* Twice the kinetic energy of a component's bodies: of their motion, or of its start without the impulses of the last substep. */
-static float energy_twice(const cn_world *world, const cni_sparse *sparse, const cni_component *c, int32_t at_start)
-{
-	cni_four sum = cni_four_all(0.0f);
-	for (int32_t k = c->body_begin; k < c->body_end; ++k) {
-		const cni_motion *m = cni_motions(world) + sparse->bodies[k];
-		float mass = cni_inverse_or_zero(m->inv_mass);
-		cni_four v = cni_four_load(at_start ? &cni_starts(world)[sparse->bodies[k]].vx : &m->vx);
-		sum = cni_four_add(sum, cni_four_times(cni_four_times(v, v), cni_four_of(mass, mass, cni_inverse_or_zero(m->inv_inertia), 0.0f)));
-	}
-	return cni_four_sum(sum);
-}
-
-/* ... that a warm start may bring beyond a multiple of what there is. */
-static float warm_energy_allowed(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+float cni_component_mass(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
 	float mass = 0.0f;
 	for (int32_t k = c->body_begin; k < c->body_end; ++k)
 		mass += cni_inverse_or_zero(cni_motions(world)[sparse->bodies[k]].inv_mass);
-	return mass * cni_sq(CNI_WARM_PUSH_PART * world->settings.push_speed_max);
+	return mass;
+}
+
+/* Twice the kinetic energy of its bodies: of their motion, or of the start of the substep, before impulses. */
+static float energy_twice(const cn_world *world, const cni_sparse *sparse, const cni_component *c, int32_t at_start)
+{
+	float sum = 0.0f;
+	for (int32_t k = c->body_begin; k < c->body_end; ++k) {
+		const cni_motion *m = cni_motions(world) + sparse->bodies[k];
+		const cni_velocity_start *v = cni_starts(world) + sparse->bodies[k];
+		sum += at_start ? cni_energy_twice(m, v->vx, v->vy, v->w) : cni_energy_twice(m, m->vx, m->vy, m->w);
+	}
+	return sum;
 }
 
 static void warm_start_remove(cn_world *world, const cni_sparse *sparse, const cni_component *c)
@@ -426,7 +424,7 @@ void cni_component_start(cn_world *world, cni_sparse *sparse, const cni_componen
 	if (!c->loops || c->active)
 		return;
 	warm = energy_twice(world, sparse, c, 0);
-	allowed = warm_energy_allowed(world, sparse, c);
+	allowed = cni_component_mass(world, sparse, c) * cni_sq(CNI_WARM_PUSH_PART * world->settings.push_speed_max);
 	if (warm <= CNI_WARM_ENERGY_MOST * energy_twice(world, sparse, c, 1) + allowed)
 		return;
 	cni_direct_motions_save(world, sparse, c, 0);

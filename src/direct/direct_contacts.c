@@ -96,9 +96,7 @@ static int32_t nothing_was_pushed(const cni_direct_contact_pass *q)
 /* Of a body, twice, in the frame of the island: there nothing that carries it does work. */
 static float energy_at(const cni_direct_contact_pass *q, const cni_motion *m, float vx, float vy, float w)
 {
-	vx -= q->frame.x;
-	vy -= q->frame.y;
-	return (m->inv_mass > 0.0f ? (vx * vx + vy * vy) / m->inv_mass : 0.0f) + (m->inv_inertia > 0.0f ? w * w / m->inv_inertia : 0.0f);
+	return cni_energy_twice(m, vx - q->frame.x, vy - q->frame.y, w);
 }
 
 /* NOW; at the beginning of the substep, after external accelerations and before any impulse; at the beginning of the step. */
@@ -122,10 +120,7 @@ static float energy_of(const cni_direct_contact_pass *q, enum moment moment)
 /* Twice the kinetic energy of all of it at a speed. */
 static float energy_at_speed(const cni_direct_contact_pass *q, float speed)
 {
-	float mass = 0.0f;
-	for (int32_t k = q->c->body_begin; k < q->c->body_end; ++k)
-		mass += cni_inverse_or_zero(q->motions[q->sparse->bodies[k]].inv_mass);
-	return mass * speed * speed;
+	return cni_component_mass(q->world, q->sparse, q->c) * speed * speed;
 }
 
 /* ... at CNI_DIRECT_STILL_SPEED: with less it is at rest. A part may move on a standing island. */

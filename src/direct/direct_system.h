@@ -49,11 +49,18 @@ static inline void cni_node_impulses_add(const cni_node *n, cni_row *rows, const
 	if (n->share[0] != 0.0f || n->share[1] != 0.0f)
 		rows[n->rows - 1].impulse += n->share[0] * x[0] + n->share[1] * x[1];
 }
+/* Twice the kinetic energy of a body at this velocity. */
+static inline float cni_energy_twice(const cni_motion *m, float vx, float vy, float w)
+{
+	return cni_inverse_or_zero(m->inv_mass) * (vx * vx + vy * vy) + cni_inverse_or_zero(m->inv_inertia) * w * w;
+}
+/* The mass of its bodies that can move. */
+float cni_component_mass(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
 /* Solves for the impulses and applies them; on failure the joints become soft by cni_component_give_up. */
 void cni_component_solve(cn_world *world, const cni_solve *s, cni_component *c);
 /* What a component failed at in a loop that workers share: solutions of its joints, or through them those of contacts alone. */
 enum { CNI_FAILED_JOINTS = 1, CNI_FAILED_CONTACTS = 2 };
-/* Takes the warm start of its joints back where it is wild. */
+/* Takes the warm start of its joints back where it would bring far more energy than there is. */
 void cni_component_start(cn_world *world, cni_sparse *sparse, const cni_component *c);
 /* After the loop: the joints of a component that failed are soft. */
 void cni_component_give_up(cn_world *world, cni_sparse *sparse, cni_component *c);

@@ -17,12 +17,6 @@ float cni_rattle_closing_speed(const rattle_step *g)
 	return most > CNI_RATTLE_OLD_GAP * g->closed ? CNI_RATTLE_CLOSING_RATE * most / g->h : 0.0f;
 }
 
-/* Twice the kinetic energy of a body at this velocity. */
-static float twice_kinetic(const cni_motion *m, float vx, float vy, float w)
-{
-	return cni_inverse_or_zero(m->inv_mass) * (vx * vx + vy * vy) + cni_inverse_or_zero(m->inv_inertia) * w * w;
-}
-
 rattle_energies cni_rattle_energies(const rattle_step *g, float dt)
 {
 	rattle_energies e = { 0.0f, 0.0f, 0.0f, 0.0f };
@@ -32,7 +26,7 @@ rattle_energies cni_rattle_energies(const rattle_step *g, float dt)
 		const cni_body *b = cni_body_at(g->world, cni_awake_ids(g->world)[g->sparse->bodies[k]]);
 		float mass = cni_inverse_or_zero(m->inv_mass), inertia = cni_inverse_or_zero(m->inv_inertia);
 		float way = 4.0f * g->closed + 4.0f * FLT_EPSILON * (cni_abs(b->cx) + cni_abs(b->cy) + b->extent);
-		e.kinetic += twice_kinetic(m, m->vx, m->vy, m->w);
+		e.kinetic += cni_energy_twice(m, m->vx, m->vy, m->w);
 		e.total += mass * (0.5f * (m->vx * m->vx + m->vy * m->vy) - (d->ax * m->dpx + d->ay * m->dpy)) +
 		           inertia * (0.5f * m->w * m->w - d->alpha * m->theta);
 		e.allowed += 0.5f * mass * (dt * dt * (d->ax * d->ax + d->ay * d->ay) + g->closing * g->closing) +
@@ -57,7 +51,7 @@ float cni_rattle_energy_error(const rattle_step *g, const cni_solve *s)
 		const cni_motion *m = g->motions + index;
 		const cni_external *d = cni_externals(g->world) + index;
 		const cni_velocity_start *start = cni_starts(g->world) + index;
-		sum += twice_kinetic(m, m->vx - start->vx + s->h * d->ax, m->vy - start->vy + s->h * d->ay, m->w - start->w + s->h * d->alpha);
+		sum += cni_energy_twice(m, m->vx - start->vx + s->h * d->ax, m->vy - start->vy + s->h * d->ay, m->w - start->w + s->h * d->alpha);
 	}
 	return sum * last * last / 4.0f;
 }
@@ -151,7 +145,7 @@ static float inner_energy(const rattle_step *g, const rigid_motion *r)
 	for (int32_t k = g->c->body_begin; k < g->c->body_end; ++k) {
 		const cni_motion *m = g->motions + g->sparse->bodies[k];
 		cni_velocity_start v = velocity_in(g, r, g->sparse->bodies[k]);
-		sum += twice_kinetic(m, m->vx - v.vx, m->vy - v.vy, m->w - v.w);
+		sum += cni_energy_twice(m, m->vx - v.vx, m->vy - v.vy, m->w - v.w);
 	}
 	return 0.5f * sum;
 }

@@ -171,34 +171,31 @@ static uint32_t is_circle(const cn_world *world, int32_t proxy)
 	return cni_shape_geometry(&world->blocks, cni_shape_at(world, cni_proxy_at(world, proxy)->shape))->type == CN_SHAPE_CIRCLE;
 }
 
-/* A lane's point alone on a face: the lane bodies whose the face and the corner (or circle) are. */
-typedef struct corner_kind {
-	uint32_t has_face, face_of_b, corner_of_b;
-} corner_kind;
+/* What normal and points move with. The manifold's axis names the face, where there is one; a single corner on a corner has none. Points are
+   taken to be of the face's body unless all are corners of the other. */
+typedef struct lane_kind {
+	uint32_t has_face, face_of_b, points_of_b;
+} lane_kind;
 
-CNI_INLINE corner_kind corner_kind_of(const cni_contact *c)
+CNI_INLINE lane_kind lane_kind_of(const cni_contact *c, int32_t points)
 {
-	uint32_t axis_of_b = c->cache.axis > CN_POLYGON_MAX_VERTICES, edges = edges_of(c->id[0], axis_of_b);
-	corner_kind k;
-	k.has_face = (c->cache.axis != 0) & (edges ^ edges >> 8);
+	uint32_t axis_of_b = c->cache.axis > CN_POLYGON_MAX_VERTICES;
+	uint32_t edges = edges_of(c->id[0], axis_of_b), others = points == 2 ? edges_of(c->id[1], axis_of_b) : edges; /* bit 8: of the face's body */
+	uint32_t incident = edges >> 8 & ~edges & others >> 8 & ~others & 1u;
+	lane_kind k;
+	k.has_face = c->cache.axis != 0 && (points == 2 || ((edges ^ edges >> 8) & 1u));
 	k.face_of_b = axis_of_b ^ ((c->flags & CNI_CONTACT_FLIPPED) != 0);
-	k.corner_of_b = k.face_of_b ^ (edges >> 8 & 1u);
+	k.points_of_b = k.face_of_b ^ incident;
 	return k;
 }
 
-/* What normal and points move with. The manifold's axis names the face, where there is one; a single corner on a corner has none. Points are
-   taken to be of the face's body unless all are corners of the other. */
-CNI_INLINE void anchor_write_kind(const cn_world *world, const cni_contact *c, int32_t ib, cni_block_info *info, uint32_t l, int32_t points)
+CNI_INLINE void anchor_write_kind(const cn_world *world, const cni_contact *c, int32_t ib, cni_block_info *info, uint32_t l, lane_kind kind)
 {
-	uint32_t flipped = (c->flags & CNI_CONTACT_FLIPPED) != 0, axis_of_b = c->cache.axis > CN_POLYGON_MAX_VERTICES;
-	uint32_t edges = edges_of(c->id[0], axis_of_b), others = points == 2 ? edges_of(c->id[1], axis_of_b) : edges; /* bit 8: of the face's body */
-	uint32_t incident = edges >> 8 & ~edges & others >> 8 & ~others & 1u;
-	uint32_t has_face = c->cache.axis != 0 && (points == 2 || ((edges ^ edges >> 8) & 1u));
-	uint32_t of_b = has_face & (axis_of_b ^ flipped), face = has_face & (of_b | (ib != 0));
+	uint32_t of_b = kind.has_face & kind.face_of_b, face = kind.has_face & (of_b | (ib != 0));
 	uint32_t circles = c->cache.axis == 0 && is_circle(world, c->proxy[0]) && is_circle(world, c->proxy[1]);
 	info->of_b = (cni_lane_bits)cni_bits_with(info->of_b, l, of_b | circles);
 	info->face = (cni_lane_bits)cni_bits_with(info->face, l, face);
-	info->points_of_b = (cni_lane_bits)cni_bits_with(info->points_of_b, l, face ? of_b ^ incident : ib == 0);
+	info->points_of_b = (cni_lane_bits)cni_bits_with(info->points_of_b, l, face ? kind.points_of_b : ib == 0);
 }
 
 /* Keeps the normal in the frame of lane body a, or of b, whose rotation is q. */
@@ -210,26 +207,20 @@ CNI_INLINE void normal_keep(cni_block_info *info, cni_block_anchor *anchor, uint
 	anchor->ny[l] = n.y;
 }
 
-/* A corner that is at rest and a face that is not: the anchor has no room for the turned normal. */
-static int32_t is_corner_of_static(const cni_contact *c, int32_t ib, int32_t points)
-{
-	corner_kind kind = corner_kind_of(c);
-	return points == 1 && ib == 0 && kind.has_face && !kind.face_of_b;
-}
-
-/* Writes the anchor, after the lane's rows. */
-CNI_INLINE void anchor_write(cn_world *world, const cni_contact *c, cni_contact_block *block, cni_block_info *info, const lane_frame *f, int32_t points, float gap)
+/* Writes the anchor, after the lane's rows. A face that turns over the corner of a static body has none: there is no room for its normal. */
+CNI_INLINE void anchor_write(cn_world *world, const cni_contact *c, cni_contact_block *block, cni_block_info *info, const lane_frame *f, int32_t points, lane_kind kind, float gap)
 {
 	uint32_t slot = (uint32_t)c->slot, l = slot % CNI_LANES, of_b;
+	int32_t rolls_on_static = CNI_HAS_CIRCLES && points == 1 && block->ib[l] == 0 && kind.has_face && !kind.face_of_b;
 	cni_block_anchor *anchor = cni_block_anchor_at(world, (int32_t)(slot / CNI_LANES));
-	if (gap != 0.0f || (CNI_HAS_CIRCLES && is_corner_of_static(c, block->ib[l], points)) || !may_be_reused(world, c, info, f)) {
+	if (gap != 0.0f || rolls_on_static || !may_be_reused(world, c, info, f)) {
 		cni_lane_invalidate(world, c->slot);
 		anchor->of.fresh.gap[l] = gap;
 		if (points == 2 && block->ib[l] != 0)
 			normal_keep(info, anchor, l, 0, f->a->q, f->n); /* for lane_normal */
 		return;
 	}
-	anchor_write_kind(world, c, block->ib[l], info, l, points);
+	anchor_write_kind(world, c, block->ib[l], info, l, kind);
 	of_b = info->of_b >> l & 1u;
 	normal_keep(info, anchor, l, of_b, of_b ? f->b->q : f->a->q, f->n);
 	cni_rot turn = cni_rot_between(f->a->q, f->b->q);
@@ -269,18 +260,19 @@ static int32_t normal_lags(const cn_world *world, const cni_contact_block *block
  * face, whose body turns with w, a corner of a and the centre of b move along t by
  *   at' = (w - wa) an,  dt' = t.(vb - va) + w d.n      (a corner of b: (at - dt)' = (w - wb) (an - dn))
  */
-static void rolling_advance(const cn_world *world, const cni_contact *c, const cni_touch_result *touch, cni_contact_block *block, uint32_t lane)
+static void rolling_advance(const cn_world *world, cni_contact_block *block, uint32_t lane, lane_kind kind, float radius)
 {
 	const cni_motion *a = cni_motions(world) + block->ia[lane], *b = cni_motions(world) + block->ib[lane];
-	corner_kind kind = corner_kind_of(c);
 	cni_contact_row *p = &block->p[0];
+	block->p[1].an[lane] = kind.has_face ? radius : 0.0f;
+	if (!(block->p[1].an[lane] > 0.0f) || !(p->jn[lane] > 0.0f))
+		return;
 	float h = 0.5f * world->step_dt, w = kind.face_of_b ? b->w : a->w, apart = block->fa[lane] - block->fb[lane], nx = block->nx[lane], ny = block->ny[lane];
 	float slide = h * (ny * (b->vx - a->vx) - nx * (b->vy - a->vy) + w * apart);
+	float turn = kind.points_of_b ? h * (w - b->w) * (p->an[lane] - block->dn[lane]) : h * (w - a->w) * p->an[lane];
+	float of_a = kind.points_of_b ? turn + slide : turn, of_b = of_a - slide;
 	float u = 0.5f * h * w, sine = 2.0f * u / (1.0f + u * u), cosine = 1.0f - u * sine; /* of the angle h w, nearly */
-	float turn = kind.corner_of_b ? h * (w - b->w) * (p->an[lane] - block->dn[lane]) : h * (w - a->w) * p->an[lane];
-	float of_a = kind.corner_of_b ? turn + slide : turn, of_b = of_a - slide;
-	block->p[1].an[lane] = kind.has_face ? touch->radius[kind.corner_of_b ^ ((c->flags & CNI_CONTACT_FLIPPED) != 0)] : 0.0f;
-	if (!(block->p[1].an[lane] > 0.0f) || !(p->jn[lane] > 0.0f) || !(cni_max(cni_abs(of_a), cni_abs(of_b)) <= CNI_ROLLING_ADVANCE_SLOPS * world->settings.slop))
+	if (!(cni_max(cni_abs(of_a), cni_abs(of_b)) <= CNI_ROLLING_ADVANCE_SLOPS * world->settings.slop))
 		return;
 	block->nx[lane] = cosine * nx - sine * ny;
 	block->ny[lane] = cosine * ny + sine * nx;
@@ -344,9 +336,10 @@ void cni_contact_write(cn_world *world, cni_contact *c, const cni_body *a, const
 	block->tm[lane] = cni_inverse_or_zero(inv_mass + ia * fa * fa + ib * fb * fb);
 	if ((c->flags & CNI_CONTACT_REFRESH) || f.locks || (info->flags & CNI_BLOCK_EXTRA))
 		lane_write_rare(world, c, &f);
-	anchor_write(world, c, block, info, &f, manifold->count, ahead);
+	lane_kind kind = lane_kind_of(c, manifold->count);
+	anchor_write(world, c, block, info, &f, manifold->count, kind, ahead);
 	if (CNI_HAS_CIRCLES && manifold->count == 1 && !f.locks)
-		rolling_advance(world, c, touch, block, lane);
+		rolling_advance(world, block, lane, kind, touch->radius[kind.points_of_b ^ (uint32_t)flipped]);
 }
 
 void cni_contact_write_empty(cn_world *world, int32_t contact)
@@ -411,7 +404,7 @@ static const float *rows_of(const cn_world *world, int32_t contact, cni_sleep_la
 	return copy->rows;
 }
 
-/* A lane describes the beginning of the step. The distance by which its anchors on the two bodies have separated since is the change of
+/* A lane describes the beginning of the step, and the middle of what rolls. The distance by which its anchors on the two bodies have separated since is the change of
    separation along n; the point stays midway and moves by half of it. Turning is ignored. Reported is the normal along which impulses act. */
 static void describe_manifold(const cn_world *world, int32_t contact, cn_manifold *out)
 {
