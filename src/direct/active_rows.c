@@ -17,6 +17,7 @@
  */
 #include "direct/direct_system.h"
 
+#define MOTOR_YIELD 1e-4f       /* of its speed, at its greatest impulse in a substep */
 #define LIMIT_BEARS_LEAST 0.5f /* of what contacts press on a limit: one that bears less lets go */
 
 /* Target speed of the row; for a limit, the least speed. Limits push no faster than overlaps: joints of figures under a slab would stretch
@@ -24,10 +25,10 @@
 static float target_speed(const cn_world *world, const cni_row *r, const cni_solve *s, int32_t bias)
 {
 	if (r->kind == CNI_ROW_MOTOR)
-		return cni_motor_target(r, s->inv_h, bias ? CNI_JOINT_ERROR_RATE * s->inv_h : 0.0f);
+		return cni_motor_target(r, s->inv_h, bias ? s->joint_error_rate : 0.0f);
 	if (r->error > 0.0f)
 		return -r->error * s->inv_h;
-	return bias ? cni_min(-CNI_JOINT_ERROR_RATE * s->inv_h * r->error, cni_row_push_speed(world, r)) : 0.0f;
+	return bias ? cni_min(-s->joint_error_rate * r->error, cni_row_push_speed(world, r)) : 0.0f;
 }
 
 /* The motor or limit row that is the third row of a node in the component's list. */
@@ -130,14 +131,21 @@ int32_t cni_active_leave(const cn_world *world, cni_sparse *sparse, const cni_co
 	return found;
 }
 
-void cni_active_levers(const cn_world *world, cni_sparse *sparse, const cni_component *c)
+/* A motor yields a little, so that a mechanism that is stuck is solved with some 1 / MOTOR_YIELD times its greatest impulse and not with what
+   rounding makes of an infinite one. Its impulse is bounded afterwards (cni_active_change). */
+static float motor_compliance(const cn_world *world, const cni_row *r, const cni_solve *s)
+{
+	return r->kind == CNI_ROW_MOTOR ? MOTOR_YIELD * (cni_abs(r->target) + cni_row_push_speed(world, r)) / impulse_most(r, s) : 0.0f;
+}
+
+void cni_active_levers(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c)
 {
 	for (int32_t k = c->active_first; k != CNI_NONE; k = sparse->nodes[k].next_active) {
 		cni_node *n = &sparse->nodes[k];
 		if (!(n->active & CNI_ROW_IN_SET))
 			continue;
 		cni_levers_set(&n->levers, 2, active_row(world, n)->lever);
-		n->compliance[2] = 0.0f;
+		n->compliance[2] = motor_compliance(world, active_row(world, n), s);
 	}
 }
 

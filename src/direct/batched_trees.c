@@ -243,7 +243,7 @@ static void batch_range(void *context, int32_t begin, int32_t end)
 void cni_tree_batches_run(cn_world *world, const cni_solve *s, int32_t pass)
 {
 	const cni_tree_batch_kernel *kernel = CNI_WIDEST(&cni_tree_batch_kernel_plain, &cni_tree_batch_kernel_4, &cni_tree_batch_kernel_8);
-	batch_loop loop = { NULL, (*kernel)[pass], { cni_motions(world), cni_starts(world), { s->h, s->inv_h, s->warm_scale, s->joint, s->restless_speed }, CNI_JOINT_ERROR_RATE * s->inv_h, s->push_speed,
+	batch_loop loop = { NULL, (*kernel)[pass], { cni_motions(world), cni_starts(world), { s->h, s->inv_h, s->warm_scale, s->joint, s->restless_speed }, s->joint_error_rate, s->push_speed,
 		CNI_BAD_PART * world->settings.accuracy * s->inv_h, CNI_PROJECTION_TURN_RAD * s->inv_h } };
 	if (s->direct == NULL || s->direct->batch_count == 0)
 		return;
@@ -267,7 +267,7 @@ void cni_tree_batches_make(cn_world *world, const cni_solve *s, cni_sparse *spar
 static void lane_read(const cni_solve *s, cni_component *c)
 {
 	const cni_joint_block *block = s->direct->batches[c->batch].nodes;
-	float rate = CNI_JOINT_ERROR_RATE * s->inv_h;
+	float rate = s->joint_error_rate;
 	int32_t k, l = c->lane;
 	cni_sparse_clear(s->direct, c);
 	c->active = c->damps = 0;

@@ -98,9 +98,12 @@ static float levers_read(const cn_world *world, cni_sparse *sparse, const cni_co
 		cni_node *n = &sparse->nodes[k];
 		if (n->owner < 0)
 			continue;
-		const cni_row *rows = cni_joint_constraints(world)[n->owner].rows;
+		const cni_joint_constraint *w = cni_joint_constraints(world) + n->owner;
+		const cni_row *rows = w->rows;
+		cni_mobility least = cni_mobility_least(w, cni_motions(world) + n->ia, cni_motions(world) + n->ib);
 		for (int32_t i = 0; i < n->rows; ++i) {
 			float most = cni_row_push_speed(world, &rows[i]);
+			n->compliance[i] = rows[i].angular ? least.angular : least.linear;
 			cni_levers_set(&n->levers, i, rows[i].lever);
 			n->closing[i] = cni_clamp(rate * rows[i].error, -most, most);
 			sum += cni_abs(n->closing[i]) * cni_row_length(world, &rows[i]);
@@ -191,9 +194,9 @@ void cni_direct_system(cn_world *world, const cni_solve *s, cni_sparse *sparse, 
 	if (c->active)
 		cni_active_clear(sparse, c);
 	cni_geometric_stiffness_damp(world, sparse, c, s->h);
-	float closing = levers_read(world, sparse, c, CNI_JOINT_ERROR_RATE * s->inv_h);
+	float closing = levers_read(world, sparse, c, s->joint_error_rate);
 	if (c->active)
-		cni_active_levers(world, sparse, c);
+		cni_active_levers(world, s, sparse, c);
 	if (c->has_contacts) {
 		c->factored = 0;
 		return;

@@ -70,13 +70,13 @@ static float gaps_find(const cn_world *world, const cni_solve *s, const cni_spar
 		most = cni_max(most, gap);
 		sum += gap;
 	}
-	c->closes_fast = CNI_JOINT_ERROR_RATE * s->inv_h * sum > s->push_speed;
+	c->closes_fast = s->joint_error_rate * sum > s->push_speed;
 	return most;
 }
 
 static int32_t is_open(const cn_world *world, const cni_solve *s, float gap)
 {
-	return gap > CNI_LOOP_OPEN * s->h * s->h * world->settings.length_unit;
+	return gap > CNI_LOOP_OPEN * s->joint_h * s->joint_h * world->settings.length_unit;
 }
 
 /* 1: in the last step its joints were soft, as they had been given up. */

@@ -86,7 +86,7 @@ static int32_t constraint_is_eligible(const cn_world *world, const cni_joint_con
 	int32_t left_soft = world->joints_soft_step > world->step_count && w->record->trust.soft && w->record->trust.until > world->step_count;
 	if (!CNI_ON(DIRECT_JOINTS) || (world->overridden && w->record->solver == CN_SOLVER_SOFT))
 		return 0;
-	return (w->rigid_count > 0 || (w->flags & CNI_CONSTRAINT_TAUT)) && !left_soft && !(w->flags & (CNI_CONSTRAINT_SPRINGY | CNI_CONSTRAINT_BOUNDED | CNI_CONSTRAINT_STUCK));
+	return (w->rigid_count > 0 || (w->flags & CNI_CONSTRAINT_TAUT)) && !left_soft && !(w->flags & (CNI_CONSTRAINT_SPRINGY | CNI_CONSTRAINT_BOUNDED));
 }
 
 static int32_t joint_links_collect(const cn_world *world, cni_link *links)

@@ -118,7 +118,7 @@ void cni_active_clear(cni_sparse *sparse, const cni_component *c);
 int32_t cni_active_limits_ask(const cn_world *world, cni_sparse *sparse, const cni_component *c, float impulse);
 /* Clears the levers of limits that let go by what was asked, and of motors in the set. 0: there are none. */
 int32_t cni_active_leave(const cn_world *world, cni_sparse *sparse, const cni_component *c);
-void cni_active_levers(const cn_world *world, cni_sparse *sparse, const cni_component *c);
+void cni_active_levers(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c);
 /* Their right sides, after those of the rigid rows. */
 void cni_active_right_sides(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c, int32_t bias);
 /* After that: the most that the speed of a rope lacks of its target. */

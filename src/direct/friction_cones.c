@@ -193,7 +193,7 @@ static void contact_newton(cone *q, cni_direct_contact *p)
 static void joint_newton(const cone *q, cni_node *n)
 {
 	const cni_row *rows = cni_joint_constraints(q->pass->world)[n->owner].rows;
-	float rate = q->pass->bias ? CNI_JOINT_ERROR_RATE * q->pass->s->inv_h : 0.0f;
+	float rate = q->pass->bias ? q->pass->s->joint_error_rate : 0.0f;
 	float speed[CNI_NODE_LANES];
 	cni_four_store(speed, cni_levers_speed(&n->levers, q->pass->motions + n->ia, q->pass->motions + n->ib));
 	for (int32_t i = 0; i < CNI_NODE_ROWS; ++i)

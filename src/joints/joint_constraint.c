@@ -315,24 +315,12 @@ void cni_joint_constraint_begin(cn_world *world, const cni_solve *s, int32_t k, 
 		apart_begin(world, s, w);
 }
 
-/* Does M K M differ from K^-1: is the trace of K M K M not the number of rows? */
-static int32_t is_stuck(const cni_joint_constraint *w, const cni_motion *a, const cni_motion *b)
-{
-	float trace = 0.0f;
-	for (int32_t i = 0; i < w->rigid_count; ++i)
-		for (int32_t k = 0; k < w->rigid_count; ++k)
-			trace += w->numbers->inverse[cni_inverse_at(i, k)] * mass_of(w->rows, k, i, a, b);
-	return trace < (float)w->rigid_count - 0.2f;
-}
-
 static void rows_begin(cn_world *world, const cni_solve *s, cni_joint_constraint *w)
 {
 	const cni_joint *j = w->record;
 	float impulse[CNI_JOINT_ROWS];
 	w->rigid_count = -1;
 	rows_build(s, w, cni_motions(world) + w->ia, cni_motions(world) + w->ib);
-	if ((w->flags & CNI_CONSTRAINT_LOCKS) && is_stuck(w, cni_motions(world) + w->ia, cni_motions(world) + w->ib))
-		w->flags |= CNI_CONSTRAINT_STUCK;
 	constraint_soften(w, j, s);
 	if (w->flags & CNI_CONSTRAINT_BOUNDED) {
 		w->numbers->force_max = j->force_max > 0.0f ? j->force_max : FLT_MAX;

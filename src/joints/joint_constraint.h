@@ -20,7 +20,6 @@ enum {
 	CNI_CONSTRAINT_LOCK_A = 1u << 8,    /* body a has this locked axis: its CN_BODY_LOCK_X and _Y flags from here on */
 	CNI_CONSTRAINT_LOCK_B = 1u << 10,
 	CNI_CONSTRAINT_LOCKS = 15u << 8,
-	CNI_CONSTRAINT_STUCK = 1u << 12,    /* locked axes leave the first rows, or a direction of a point, next to no mobility */
 	CNI_CONSTRAINT_APART = 1u << 13,    /* it was made, put or changed so that a gap is beyond what its rows see: joint_gap_most */
 	CNI_CONSTRAINT_TORN = 1u << 14      /* ... a gap of a rigid row */
 };

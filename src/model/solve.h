@@ -72,6 +72,7 @@ typedef struct cni_solve {
 	float dt, h, inv_h;
 	float mean_dt;             /* mean length of the steps so far, this one included */
 	float longest_dt;          /* longest of late, this one included */
+	float joint_h;             /* its substep */
 	float soft_rate;           /* 1/s: rate that softness is tied to; 1 / h if all steps are equal */
 	int32_t substeps;
 	float warm_scale;          /* factor of stored impulses: length of this substep over the last one's */
@@ -81,6 +82,7 @@ typedef struct cni_solve {
 	float restitution_threshold;
 	cni_contact_pass contact[CNI_CONTACTS_KINDS];
 	cni_soft joint;
+	float joint_error_rate;   /* part of its gap that a directly solved joint closes in a second */
 	float joint_gap_most;     /* of a joint that was made or put apart, m: what rows see of its gap */
 	float joint_turn_most;    /* ... of an angle, rad */
 	float restless_speed;     /* joints are relaxed again while that changes a velocity by more */

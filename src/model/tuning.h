@@ -160,7 +160,7 @@ CNI_TUNING_FLOAT(CNI_CORE_TURN_MAX_RAD, 1.0f)
 CNI_TUNING_FLOAT(CNI_NO_LIMIT, 1e30f)
 /* Radians in a step. Joints of faster bodies are solved by rows, which turn their lever arms exactly at any angle. */
 CNI_TUNING_FLOAT(CNI_LANE_TURN_MAX_RAD, 1.5f)
-/* Part of its gap that a directly solved joint closes in a substep. */
+/* Part of its gap that a directly solved joint closes in a substep of the longest step of late. */
 CNI_TUNING_FLOAT(CNI_JOINT_ERROR_RATE, 0.3f)
 
 /* ---------------------------------------------------------------- direct: regularization */

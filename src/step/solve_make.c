@@ -73,8 +73,16 @@ static float longest_step(const cn_world *world, float dt)
 
 static float joint_hertz(const cni_solve *s)
 {
-	float of_longest = 0.25f * (float)s->substeps / cni_max(s->longest_dt, FLT_MIN);
-	return cni_min(0.25f * s->inv_h, cni_max(CNI_JOINT_HERTZ_LEAST, of_longest));
+	return cni_min(0.25f * s->inv_h, cni_max(CNI_JOINT_HERTZ_LEAST, 0.25f / cni_max(s->joint_h, FLT_MIN)));
+}
+
+/*
+ * A joint under load keeps a gap that its closing holds. In shorter steps it closes no faster than in the longest of late: a straight bridge at rest that
+ * closed 100 times as fast, in slow motion, would be thrown by its lever.
+ */
+static float joint_error_rate(const cni_solve *s)
+{
+	return CNI_JOINT_ERROR_RATE * cni_min(s->inv_h, 1.0f / cni_max(s->joint_h, FLT_MIN));
 }
 
 /*
@@ -102,6 +110,7 @@ cni_solve cni_solve_make(const cn_world *world, float dt, int32_t substeps)
 	s.mean_dt = mean_step(world, dt);
 	s.soft_rate = s.mean_dt > 0.0f ? 1.0f / (s.mean_dt / (float)substeps) : 0.0f;
 	s.longest_dt = longest_step(world, dt);
+	s.joint_h = s.longest_dt / (float)substeps;
 	s.warm_scale = warm_scale(world, dt);
 	s.joint_warm_scale = cni_min(s.warm_scale, 1.0f); /* an impact's impulse is no load: seven times as much of it, after a pause, throws chains */
 	s.push_speed = set->push_speed_max;
@@ -110,6 +119,7 @@ cni_solve cni_solve_make(const cn_world *world, float dt, int32_t substeps)
 		s.contact[kind] = contact_pass_make(world, &s, kind);
 	s.restless_speed = CNI_JOINT_RESTLESS * set->length_unit;
 	s.joint = cni_soft_implicit(joint_hertz(&s), 2.0f, s.h);
+	s.joint_error_rate = joint_error_rate(&s);
 	s.joint_turn_most = cni_min(CNI_JOINT_GAP_MOST, CNI_JOINT_CLOSING_MOST / cni_soft_error_rate(&s.joint, 1));
 	s.joint_gap_most = s.joint_turn_most * set->length_unit;
 	s.pushed_most = dt * cni_min(set->slop * cni_soft_error_rate(&s.contact[0].soft, 1), 0.5f * set->push_speed_max); /* a slop is left */

@@ -215,6 +215,66 @@ static void bridges_assembled_with_gaps_throw_nothing(void)
 	CHECK_LE("greatest speed over that with soft constraints", ratio, 2.0, "");
 }
 
+/* ---- a loaded bridge at rest ---- */
+
+/* A straight bridge of planks with boxes on it, at rest after ten seconds; its plank 0 is s.bodies[0]. */
+static scene loaded_bridge(int32_t planks, int32_t boxes)
+{
+	scene s = scene_open(10.0, 0, CN_SOLVER_AUTO);
+	int32_t k;
+	bridge_add(&s, planks, 0.0f, 0);
+	for (k = 1; k <= boxes; ++k)
+		keep(&s, fixture_box(s.world, CN_BODY_DYNAMIC, (float)(planks * k) / (float)(boxes + 1), 20.7f, 0.0f, 0.5f, 0.5f, 0.6f, 0.0f));
+	fixture_step(s.world, 400);
+	return s;
+}
+
+static double fastest_in_a_second(const scene *s)
+{
+	double fastest = 0.0;
+	int32_t k;
+	for (k = 0; k < 60; ++k) {
+		fixture_step(s->world, 1);
+		fastest = greater(fastest, fastest_of(s, s->bodies, s->body_count));
+	}
+	return fastest;
+}
+
+/* Some steps are short, and then they are as long as before: as slow motion, or one step of a frame that came early. */
+static void slow_motion_throws_no_bridges(void)
+{
+	static const float steps_s[] = { 1.0f / 600.0f, 1.0f / 1200.0f, 1e-4f };
+	double fastest = 0.0;
+	int32_t length, k, step;
+	for (length = 4; length <= 16; length *= 2)
+		for (k = 0; k < 3; ++k) {
+			scene s = loaded_bridge(length, length / 4);
+			for (step = 0; step < 10 << k; ++step)
+				must(cn_world_step(s.world, steps_s[k]), s.world, "cn_world_step");
+			fastest = greater(fastest, fastest_in_a_second(&s));
+			scene_close(&s);
+		}
+	CHECK_LE("greatest speed on straight bridges after short steps", fastest, 0.8, "m/s");
+}
+
+/* Planks at rest are locked where they are, so nothing has to move. */
+static void locked_planks_rest(void)
+{
+	double fastest = 0.0;
+	uint32_t locks, locked;
+	int32_t k;
+	for (locks = 1; locks < 8; ++locks)
+		for (locked = 1; locked < 16; ++locked) {
+			scene s = loaded_bridge(4, (int32_t)(locked % 3u));
+			for (k = 0; k < 4; ++k)
+				if (locked >> k & 1u)
+					must(cn_body_set_flags(s.world, s.bodies[k], (uint32_t)CN_BODY_ENABLED | (uint32_t)CN_BODY_SLEEP | locks), s.world, "cn_body_set_flags");
+			fastest = greater(fastest, fastest_in_a_second(&s));
+			scene_close(&s);
+		}
+	CHECK_LE("greatest speed on bridges of which planks are locked", fastest, 2.0, "m/s");
+}
+
 int main(int argc, char **argv)
 {
 	test_begin(argc, argv);
@@ -224,5 +284,7 @@ int main(int argc, char **argv)
 	RUN(pulled_bridges_are_not_thrown);
 	RUN(dragged_bridges_are_not_thrown);
 	RUN(straight_bridges_rest);
+	RUN(slow_motion_throws_no_bridges);
+	RUN(locked_planks_rest);
 	return test_end();
 }
