@@ -272,7 +272,7 @@ static void locked_planks_rest(void)
 			fastest = greater(fastest, fastest_in_a_second(&s));
 			scene_close(&s);
 		}
-	CHECK_LE("greatest speed on bridges of which planks are locked", fastest, 2.0, "m/s");
+	CHECK_LE("greatest speed on bridges of which planks are locked", fastest, 0.8, "m/s");
 }
 
 int main(int argc, char **argv)
