@@ -138,27 +138,56 @@ static float change_most(const cn_world *world, const cni_sparse *sparse, const 
 	return most;
 }
 
+/* Adds the speeds of the rows, times `part`, to their closing speeds. */
+static void closings_add_speeds(const cn_world *world, cni_sparse *sparse, const cni_component *c, float part)
+{
+	const cni_motion *motions = cni_motions(world);
+	for (int32_t k = c->begin; k < c->end; ++k) {
+		cni_node *n = &sparse->nodes[k];
+		cni_four speed = cni_levers_speed(&n->levers, motions + n->ia, motions + n->ib);
+		cni_four_store(n->closing, cni_four_add(cni_four_load(n->closing), cni_four_scale(speed, part)));
+	}
+}
+
+static void closings_scale(cni_sparse *sparse, const cni_component *c, float part)
+{
+	for (int32_t k = c->begin; k < c->end; ++k)
+		cni_four_store(sparse->nodes[k].closing, cni_four_scale(cni_four_load(sparse->nodes[k].closing), part));
+}
+
 /*
  * Gaps that all close at the speed at which overlaps are pushed apart would throw the end of a chain, or a light body between heavy ones. So the
  * closing of all gaps of a component moves none of its bodies faster than that: one factor for all, from one more solution where their speeds
  * add to more (levers_read).
+ *
+ * Redundant rows of loops contradict each other where anchors do not quite agree. No motion closes their gaps, and a system that is asked to
+ * answers with tension, of 1 / CNI_REGULARIZATION_LOOPS times the speed in every pass. So the rows of a loop close no faster than they do in the
+ * motion that this solution finds, the best by least squares: what is left of their gaps stays. Not those of a row between two fixed ends, which
+ * contradict each other where it is straight alone: tension closes them as soon as it sags.
  */
 static void closings_bound(cn_world *world, cni_sparse *sparse, cni_component *c, float sum)
 {
+	const int32_t contradicts = c->loops && !cni_component_is_row(c, cni_component_held(world, sparse, c));
 	const float most = world->settings.push_speed_max;
-	float fastest = 0.0f;
-	if (sum <= most)
+	float fastest;
+	if (sum <= (contradicts ? CNI_DIRECT_SPEED_LEAST * world->settings.length_unit : most))
 		return;
 	for (int32_t k = c->begin; k < c->end; ++k)
 		cni_four_store(sparse->nodes[k].x, cni_four_subtract(cni_four_all(0.0f), cni_four_load(sparse->nodes[k].closing)));
+	if (!cni_sparse_solve(sparse, c))
+		return;
 	cni_direct_motions_save(world, sparse, c, 0);
-	if (cni_sparse_solve(sparse, c)) {
-		velocities_push(world, sparse, c);
-		fastest = change_most(world, sparse, c);
-		cni_direct_motions_save(world, sparse, c, 1);
+	velocities_push(world, sparse, c);
+	fastest = change_most(world, sparse, c);
+	if (contradicts) {
+		closings_scale(sparse, c, 0.0f);
+		closings_add_speeds(world, sparse, c, -1.0f);
 	}
-	for (int32_t k = c->begin; k < c->end && fastest > most; ++k)
-		cni_four_store(sparse->nodes[k].closing, cni_four_scale(cni_four_load(sparse->nodes[k].closing), most / fastest));
+	cni_direct_motions_save(world, sparse, c, 1);
+	if (contradicts)
+		closings_add_speeds(world, sparse, c, 1.0f);
+	if (fastest > most)
+		closings_scale(sparse, c, most / fastest);
 }
 
 void cni_direct_refresh(cn_world *world, cni_sparse *sparse, const cni_component *c)

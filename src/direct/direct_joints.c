@@ -10,6 +10,7 @@
  * Reads joint constraints, motion and inverse masses; writes flags and rigid rows' impulses of joint constraints, motion velocities.
  */
 #include "direct/direct.h"
+#include "contacts/deep_lanes.h"
 #include "direct/direct_contact.h"
 #include "direct/direct_system.h"
 #include "direct/heavy_contacts.h"
@@ -37,7 +38,7 @@ static int32_t is_requested(const cn_world *world, const cni_sparse *sparse, con
 /* Pins and rods alone, and welds where it is one row of parts between two fixed ends. */
 static int32_t may_be_straight(const cn_world *world, const cni_sparse *sparse, const cni_component *c, int32_t fixed)
 {
-	int32_t is_row = fixed == 2 && c->end - c->begin == c->body_end - c->body_begin + 1;
+	int32_t is_row = cni_component_is_row(c, fixed);
 	for (int32_t k = c->begin; k < c->end; ++k) {
 		int32_t type = cni_joint_constraints(world)[sparse->nodes[k].owner].record->type;
 		if (sparse->nodes[k].rows != 2 && type != CN_JOINT_DISTANCE && !(is_row && type == CN_JOINT_FIXED))
@@ -109,15 +110,33 @@ static int32_t loop_is_better_soft(const cn_world *world, const cni_sparse *spar
 	return 2 * c->touched > bodies && c->touched > cni_heavy_contacts_most(sparse, c);
 }
 
-/* Contacts between two of its bodies are scaled twice. */
+/* Contacts between two of its bodies are scaled twice. Loads, to which soft contacts do not yield, are forgotten with the impulses alone. */
 static void contact_impulses_scale(cn_world *world, const cni_sparse *sparse, const cni_component *c, float part)
 {
 	for (int32_t k = c->body_begin; k < c->body_end; ++k)
 		for (int32_t key = cni_body_at(world, cni_awake_ids(world)[sparse->bodies[k]])->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
 			const cni_contact *contact = cni_contact_of_key(world, key);
-			if (cni_contact_has_lane(contact))
-				cni_block_scale_impulses(cni_block_at(world, contact->slot / CNI_LANES), contact->slot % CNI_LANES, part);
+			if (!cni_contact_has_lane(contact))
+				continue;
+			cni_contact_block *block = cni_block_at(world, contact->slot / CNI_LANES);
+			cni_block_scale_impulses(block, contact->slot % CNI_LANES, part);
+			for (int32_t i = 0; i < 2 && part == 0.0f; ++i)
+				block->p[i].load[contact->slot % CNI_LANES] = 0.0f;
 		}
+}
+
+/* Of its joints, and of the contacts of its bodies. 0: they are forgotten. */
+static void impulses_scale(cn_world *world, const cni_sparse *sparse, const cni_component *c, float part)
+{
+	contact_impulses_scale(world, sparse, c, part);
+	for (int32_t k = c->begin; k < c->end; ++k) {
+		cni_joint_constraint *w = cni_joint_constraints(world) + sparse->nodes[k].owner;
+		float *impulse = cni_joint_at(world, w->joint)->impulse;
+		for (int32_t i = 0; i < CNI_JOINT_ROWS; ++i)
+			impulse[i] *= part;
+		for (int32_t i = 0; i < w->row_count; ++i)
+			w->rows[i].impulse *= part;
+	}
 }
 
 /*
@@ -133,17 +152,8 @@ static void impulses_soften(cn_world *world, const cni_sparse *sparse, const cni
 		float sum = cni_joint_impulse_sum(world, w->record, sparse->nodes[k].rows > 0 ? sparse->nodes[k].rows : CNI_JOINT_ROWS); /* a rope has one */
 		part = cni_min(part, cni_direct_soft_part(world, sum, w->ia, w->ib));
 	}
-	if (part == 1.0f)
-		return;
-	contact_impulses_scale(world, sparse, c, part);
-	for (int32_t k = c->begin; k < c->end; ++k) {
-		cni_joint_constraint *w = cni_joint_constraints(world) + sparse->nodes[k].owner;
-		float *impulse = cni_joint_at(world, w->joint)->impulse;
-		for (int32_t i = 0; i < CNI_JOINT_ROWS; ++i)
-			impulse[i] *= part;
-		for (int32_t i = 0; i < w->row_count; ++i)
-			w->rows[i].impulse *= part;
-	}
+	if (part < 1.0f)
+		impulses_scale(world, sparse, c, part);
 }
 
 static void soften_for(cn_world *world, cni_sparse *sparse, cni_component *c, int32_t span)
@@ -184,6 +194,36 @@ static int32_t is_contradictory(const cn_world *world, const cni_sparse *sparse,
 		if (is_forced(world, cni_joint_constraints(world) + sparse->nodes[k].owner))
 			return 1;
 	return 0;
+}
+
+/* Sums of the normal impulses of those of the body's contacts that overlap bodies that cannot move by more than joints may be beyond a limit. */
+static void body_press_find(const cn_world *world, int32_t index, cni_vec2 *sum, float *all)
+{
+	const cni_body *b = cni_body_at(world, cni_awake_ids(world)[index]);
+	for (int32_t key = b->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
+		const cni_contact *contact = cni_contact_of_key(world, key);
+		if (!cni_contact_has_lane(contact))
+			continue;
+		const cni_contact_block *block = cni_block_at(world, contact->slot / CNI_LANES);
+		int32_t l = contact->slot % CNI_LANES, is_a = block->ia[l] == index;
+		if (cni_motion_can_move(cni_motions(world) + (is_a ? block->ib[l] : block->ia[l])) || cni_lane_overlap(block, l) <= CNI_LIMIT_FORCED * world->settings.length_unit)
+			continue;
+		float impulse = block->p[0].jn[l] + block->p[1].jn[l];
+		*all += impulse;
+		*sum = cni_madd(*sum, is_a ? -impulse : impulse, cni_v(block->nx[l], block->ny[l]));
+	}
+}
+
+/* A component that bodies that cannot move squeeze between them, harder than hundreds of its weights: a press that comes down on it, and the ground.
+   Exact joints do not give way, and the press would enter it so deep that contacts hold it there, or drive it into the ground. */
+static int32_t is_squeezed(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	cni_vec2 sum = cni_v(0.0f, 0.0f);
+	float all = 0.0f;
+	for (int32_t k = c->body_begin; k < c->body_end && c->touched > 0 && !c->has_contacts; ++k)
+		if (cni_externals(world)[sparse->bodies[k]].flags & CNI_EXTERNAL_TOUCHED)
+			body_press_find(world, sparse->bodies[k], &sum, &all);
+	return all > 0.0f && all - cni_length(sum) > cni_soft_speed_most(world) * cni_component_mass(world, sparse, c);
 }
 
 /* Do some of its rows say nearly the same as others? Begins it for the substeps, and takes that back where they do not. */
@@ -238,9 +278,10 @@ static void rattle_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse
 	int32_t held = c->loops ? cni_component_held(world, sparse, c) : 0;
 	float bodies = cni_component_is_braced(c, held) ? (float)(c->body_end - c->body_begin) : 0.0f;
 	if (held > 0 && is_redundant(world, s, sparse, c, CNI_RATTLE_REDUNDANT * cni_max(CNI_RATTLE_BRACED * bodies, 1.0f)))
-		c->uses_rattle = 0;
+		c->pending = 1; /* begins anew, with centred rows */
 	else
 		cni_sparse_clear(sparse, c);
+	c->uses_rattle = !c->pending;
 }
 
 /* The passes of a substep; a single joint with the world needs them for heavy contacts alone. */
@@ -259,9 +300,13 @@ static void passes_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse
 	}
 }
 
+/* Pins and welds of loops act at the middle of their gaps. At both ends of gaps that stay open, internal tension would turn the whole. */
 static void pending_begin(cn_world *world, const cni_solve *s, cni_component *c, int32_t argument)
 {
 	(void)argument;
+	for (int32_t k = c->begin; k < c->end && c->pending && c->loops; ++k)
+		if (s->direct->nodes[k].owner >= 0)
+			cni_joint_rows_centre(world, s, cni_joint_constraints(world) + s->direct->nodes[k].owner);
 	if (c->pending)
 		cni_direct_begin(world, s, s->direct, c);
 	c->pending = 0;
@@ -292,7 +337,10 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 		if (is_torn(s, gap)) {
 			impulses_soften(world, out, c);
 			cni_component_release(world, out, c);
-		} else if (is_contradictory(world, out, c) || loop_is_better_soft(world, out, c))
+		} else if (is_contradictory(world, out, c) || is_squeezed(world, out, c)) {
+			impulses_scale(world, out, c, 0.0f);
+			cni_component_suspend(world, out, c, CNI_TRUST_MOST);
+		} else if (loop_is_better_soft(world, out, c))
 			soften_for(world, out, c, CNI_TRUST_MOST);
 		else if (is_open_loop(world, s, out, c, gap))
 			soften_for(world, out, c, c->uses_rattle ? 1 : CNI_TRUST_MOST);

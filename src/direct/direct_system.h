@@ -24,6 +24,11 @@ static inline int32_t cni_component_is_single(const cni_component *c)
 /* 1: fixed bodies hold it at more than one joint (held: cni_component_held), and its loops have few bodies each: a short bridge, a truss. For
    components without contacts. */
 int32_t cni_component_is_braced(const cni_component *c, int32_t held);
+/* 1: one row of parts between two fixed ends. */
+static inline int32_t cni_component_is_row(const cni_component *c, int32_t held)
+{
+	return held == 2 && c->end - c->begin == c->body_end - c->body_begin + 1;
+}
 /* Returns the joints of the component to the soft solver for this step. */
 void cni_component_release(cn_world *world, cni_sparse *sparse, cni_component *c);
 /* ... and for `span` steps; 0: for a span that doubles with each failure. */

@@ -176,6 +176,8 @@ static void rows_bound_gaps(const cni_solve *s, cni_row *rows, int32_t count)
 static int32_t rows_make(const cni_joint_constraint *w, const cni_joint_frame *f, cni_row *rows)
 {
 	int32_t count = w->make_rows(w->record, f, rows);
+	if (w->flags & CNI_CONSTRAINT_CENTRED)
+		cni_rows_point_centre(rows, f->d);
 	if (w->flags & CNI_CONSTRAINT_LOCKS)
 		rows_lock(rows, count, w->flags);
 	return count;
@@ -223,6 +225,8 @@ void cni_joint_constraint_ahead(const cni_joint_constraint *w, const cni_motion 
 		end[k].theta += h * end[k].w;
 	}
 	cni_joint_frame f = constraint_frame(w, &end[0], &end[1]);
+	if (w->flags & CNI_CONSTRAINT_CENTRED) /* seen as its bodies turn */
+		f.d = cni_rotate(cni_rot_small(-0.5f * h * (end[0].w + end[1].w)), f.d);
 	(void)w->make_rows(w->record, &f, rows);
 	for (int32_t k = 0; k < w->rigid_count; ++k)
 		errors[k] = rows[k].error;
@@ -341,6 +345,14 @@ void cni_joint_rows_need(cn_world *world, const cni_solve *s, cni_joint_constrai
 		rows_begin(world, s, w);
 }
 
+void cni_joint_rows_centre(cn_world *world, const cni_solve *s, cni_joint_constraint *w)
+{
+	if (w->record->type != CN_JOINT_REVOLUTE && w->record->type != CN_JOINT_FIXED)
+		return;
+	w->flags |= CNI_CONSTRAINT_CENTRED;
+	rows_begin(world, s, w);
+}
+
 /* Not where both limits are near: the row that acts may be either. */
 void cni_joint_rope_mark(const cn_world *world, cni_joint_constraint *w, float dt)
 {
@@ -388,6 +400,8 @@ static void pin_renew(cn_world *world, cni_joint_constraint *w)
 	const cni_lever *x = &w->rows[0].lever, *y = &w->rows[1].lever;
 	float jx = w->rows[0].impulse, jy = w->rows[1].impulse, turn_a = x->aw * jx + y->aw * jy, turn_b = x->bw * jx + y->bw * jy;
 	cni_rows_point_turn(w->rows, ra, rb, constraint_gap(w, a, b, ra, rb));
+	if (w->flags & CNI_CONSTRAINT_CENTRED)
+		cni_rows_point_centre(w->rows, cni_v(w->rows[0].error, w->rows[1].error));
 	cni_starts(world)[w->ia].w -= a->inv_inertia * (x->aw * jx + y->aw * jy - turn_a);
 	cni_starts(world)[w->ib].w -= b->inv_inertia * (x->bw * jx + y->bw * jy - turn_b);
 }

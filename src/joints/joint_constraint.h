@@ -21,7 +21,8 @@ enum {
 	CNI_CONSTRAINT_LOCK_B = 1u << 10,
 	CNI_CONSTRAINT_LOCKS = 15u << 8,
 	CNI_CONSTRAINT_APART = 1u << 13,    /* it was made, put or changed so that a gap is beyond what its rows see: joint_gap_most */
-	CNI_CONSTRAINT_TORN = 1u << 14      /* ... a gap of a rigid row */
+	CNI_CONSTRAINT_TORN = 1u << 14,     /* ... a gap of a rigid row */
+	CNI_CONSTRAINT_CENTRED = 1u << 15   /* a pin or weld that acts on both bodies at the middle of its gap */
 };
 
 /* Forms of lanes: joints/joint_pass.h. */
@@ -108,6 +109,8 @@ void cni_joint_constraint_prepare(cn_world *world, const cni_solve *s, int32_t k
 void cni_joint_constraint_begin(cn_world *world, const cni_solve *s, int32_t k, const cni_joint *j);
 /* ... then its rows, decoupled, with their impulses, if they have not been built yet. */
 void cni_joint_rows_need(cn_world *world, const cni_solve *s, cni_joint_constraint *w);
+/* Builds the rows of a pin or weld anew so that their impulses act at the middle of its gap for the rest of the step. */
+void cni_joint_rows_centre(cn_world *world, const cni_solve *s, cni_joint_constraint *w);
 /* At the end of a step: stores the rows' impulses, for the type's rows, in the record. */
 void cni_joint_rows_end(const cn_world *world, const cni_joint_constraint *w, cni_joint *j);
 /* Builds the rows at the bodies' new positions with their present impulses; the change of the impulses' response goes into start. */

@@ -92,6 +92,15 @@ static inline void cni_rows_point_turn(cni_row *rows, cni_vec2 ra, cni_vec2 rb, 
 	rows[1].error = gap.y;
 }
 
+/* ... whose impulses act on both bodies at the middle of the gap, so that they turn nothing that holds together. */
+static inline void cni_rows_point_centre(cni_row *rows, cni_vec2 gap)
+{
+	rows[0].lever.aw += 0.5f * gap.y;
+	rows[0].lever.bw += 0.5f * gap.y;
+	rows[1].lever.aw -= 0.5f * gap.x;
+	rows[1].lever.bw -= 0.5f * gap.x;
+}
+
 /* Rotation of the body on a side; of the world, none. */
 static inline cni_rot cni_joint_side_rotation(const cn_world *world, const cni_joint *j, int32_t side)
 {
