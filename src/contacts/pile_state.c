@@ -43,6 +43,12 @@ static int32_t is_carried(const cn_world *world, const cni_body *b, cni_vec2 *ve
 	return 0;
 }
 
+/* Does the body move with what may carry it, rather than rest beside it? */
+static int32_t moves_with(const cni_motion *m, cni_vec2 velocity)
+{
+	return cni_sq(m->vx - velocity.x) + cni_sq(m->vy - velocity.y) < cni_sq(m->vx) + cni_sq(m->vy);
+}
+
 /* Bodies of a crowd move apart, which two of them show: what carries others is only looked for where all move together. */
 static cni_vec2 frame_find(const cn_world *world, const cni_island *i)
 {
@@ -54,7 +60,7 @@ static cni_vec2 frame_find(const cn_world *world, const cni_island *i)
 		return zero;
 	for (int32_t body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
 		if (is_carried(world, cni_body_at(world, body), &velocity))
-			return velocity;
+			return moves_with(m, velocity) ? velocity : zero;
 	return zero;
 }
 

@@ -152,6 +152,7 @@ typedef struct cni_direct_contact_pass {
 	int32_t rounds;        /* limit of the search for a set */
 	int32_t kept;          /* 1: the kept set is acceptable if nothing better is found */
 	int32_t denied;        /* 1: other systems have spent what the step may spend */
+	int32_t squeezed;      /* 1: no impulses close its points: friction cones are not tried, and it owes nothing */
 	float before;          /* twice the kinetic energy before the substep's impulses */
 	cni_vec2 frame;        /* cni_island_frame */
 } cni_direct_contact_pass;

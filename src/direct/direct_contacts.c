@@ -146,6 +146,26 @@ static float push_work(const cni_direct_contact_pass *q)
 }
 
 /*
+ * Where fixed and kinematic bodies squeeze others no impulses close all points, and the regularization alone bounds those that are found, by thousands
+ * of weights. They are known by a point that still closes although it bears more than the momentum of all bodies, and of all pushed at once: a light
+ * body under one of ten thousand times its mass closes as slowly, and bears no more than that. Returns that momentum; 0: nothing is squeezed.
+ */
+static float squeeze_find(const cni_direct_contact_pass *q)
+{
+	float bears = 0.0f, push = 0.0f;
+	for (const cni_direct_contact *p = q->first; p < q->end && q->c->joints == 0; ++p)
+		for (int32_t i = 0; i < 2; ++i) {
+			float speed = cni_direct_contact_speed(p, i, q->motions + p->ia, q->motions + p->ib) + p->gap_speed[i];
+			push = cni_max(push, -p->gap_speed[i]);
+			bears = cni_max(bears, speed < -CNI_DIRECT_PARTING * q->speed_least ? p->j[i] : 0.0f);
+		}
+	if (bears == 0.0f)
+		return 0.0f;
+	float mass = cni_component_mass(q->world, q->sparse, q->c), most = CNI_DIRECT_SQUEEZE_MOST * (cni_sqrt(mass * q->before) + mass * push);
+	return bears > most ? most : 0.0f;
+}
+
+/*
  * With speeds w after and v before the impulses l, and speeds bounded below by -g (gap_speed), the energy grows by
  * l.(w + v) / 2 <= l.w <= -l.g: no more than the work of pushing apart. The relax pass removes the push: with all impulses of the
  * substep, the energy is then no more than at its beginning. Joints and bodies carried along may add more.
@@ -216,8 +236,12 @@ static int32_t is_large(const cni_direct_contact_pass *q)
  */
 static int32_t set_solve(cni_direct_contact_pass *q)
 {
-	if (!(q->warm ? cni_direct_contact_set_follow(q) : cni_direct_contact_set_find(q)) || !energy_fits(q))
+	if (!(q->warm ? cni_direct_contact_set_follow(q) : cni_direct_contact_set_find(q)))
 		return 0;
+	if (!energy_fits(q)) {
+		q->squeezed = squeeze_find(q) > 0.0f;
+		return 0;
+	}
 	if (q->bias && !is_recent(q, q->island->gives_step) && starts_moving(q) && !was_moving(q)) {
 		cni_direct_contact_states_save(q, 0);
 		q->kept = 1;
@@ -287,13 +311,16 @@ static void solution_accept(const cni_direct_contact_pass *q)
 		q->island->gives_step = step;
 	}
 	commit(q);
+	float squeeze = squeeze_find(q);
+	if (squeeze > 0.0f)
+		q->c->squeeze_most = squeeze;
 	q->c->nothing_pushed = q->bias && nothing_was_pushed(q);
 }
 
 int32_t cni_direct_contacts_solve(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c, int32_t bias)
 {
 	cni_direct_contact_pass q = { world, s, sparse, c, cni_motions(world), sparse->contacts + c->contact_begin, sparse->contacts + c->contact_end, NULL, CNI_DIRECT_SPEED_LEAST * world->settings.length_unit,
-		bias, 0, CNI_CONTACT_SET_ROUNDS, !bias, 0, 0.0f, { 0.0f, 0.0f } };
+		bias, 0, CNI_CONTACT_SET_ROUNDS, !bias, 0, 0, 0.0f, { 0.0f, 0.0f } };
 	int32_t shared = world->cone_work + world->set_work > 0;
 	if (!bias && c->nothing_pushed)
 		return 1;
@@ -309,14 +336,14 @@ int32_t cni_direct_contacts_solve(cn_world *world, const cni_solve *s, cni_spars
 		q.rounds = CNI_CONTACT_SET_ROUNDS_LARGE;
 	cni_direct_contact_gap_speeds_find(&q);
 	cni_direct_contact_states_save(&q, 0);
-	if (set_solve(&q) || cone_solve(&q)) {
+	if (set_solve(&q) || (!q.squeezed && cone_solve(&q))) {
 		solution_accept(&q);
 		return 1;
 	}
 	c->denied = q.denied || (shared && cni_attempt_work_is_spent(world, c));
 	if (q.kept && solve_with_kept_set(&q))
 		return 1;
-	if (!c->denied)
+	if (!c->denied && !q.squeezed)
 		debt_add(&q, CNI_CONE_FAILED);
 	soft_state_restore(&q);
 	return 0;

@@ -11,6 +11,7 @@
  * Reads joint constraints, motion and the tiers of islands; writes flags of joint constraints, refused islands, and the plans that the
  * world keeps.
  */
+#include "contacts/contacts.h"
 #include "direct/direct.h"
 #include "direct/direct_contact.h"
 #include "direct/direct_system.h"
@@ -115,6 +116,7 @@ static int32_t contacts_collect(cn_world *world, int32_t *contacts, int32_t room
 	const int32_t *islands = (const int32_t *)world->direct_islands.data;
 	int32_t all = 0;
 	for (int32_t k = 0; k < world->direct_islands.count; ++k) {
+		(void)cni_island_frame(world, cni_island_at(world, islands[k])); /* before forces act: its bodies would seem to move with what comes down on them */
 		int32_t count = cni_direct_contacts_collect(world, islands[k], contacts + all, room - all);
 		if (count < 0)
 			cni_island_refuse(world, islands[k], -count);

@@ -266,6 +266,8 @@ CNI_TUNING_COUNT(CNI_TRUST_MOST, 256)
 CNI_TUNING_FLOAT(CNI_DIRECT_SPEED_LEAST, 1e-4f)
 /* Times speed_least. Contacts that part or slide faster yield. */
 CNI_TUNING_FLOAT(CNI_DIRECT_PARTING, 10.0f)
+/* Times the momentum of all bodies of a system, and of pushing them: a point that bears more and still closes is squeezed. */
+CNI_TUNING_FLOAT(CNI_DIRECT_SQUEEZE_MOST, 2.0f)
 /* Part of the kinetic energy that counts as rounding when a solution is checked for gained energy. */
 CNI_TUNING_FLOAT(CNI_DIRECT_ENERGY_ROUNDING, 1e-3f)
 /* Length units a second, root mean square by mass. A slower island is at rest or begins to move. */
