@@ -21,7 +21,7 @@ static const arch_scene arch_scenes[ARCH_SCENES] = {
 	{ "shapes", scene_shapes, 0x3f7d38d5bb1f176e },
 	{ "joints", scene_joints, 0x75e2e32bb67b4458 },
 	{ "direct", scene_direct, 0x4ac12576c772b1f5 },
-	{ "tiers", scene_tiers, 0xce2ba5261c4cf3c1 },
+	{ "tiers", scene_tiers, 0xd8bfe1b00f5223b9 },
 	{ "sequential", scene_sequential, 0x08c4cf8f2876c0a2 },
 	{ "queries", scene_queries, 0x9c8eb7c928c66a1c },
 	{ "events", scene_events, 0x24d26d0cd222177d },
