@@ -98,6 +98,18 @@ static float warm_scale(const cn_world *world, float dt)
 	return last > 0.0f ? cni_min(dt / last, CNI_WARM_STEP_RATIO_MAX) : 1.0f;
 }
 
+static void joints_make(const cn_world *world, cni_solve *s)
+{
+	s->joint_warm_scale = cni_min(s->warm_scale, 1.0f); /* an impact's impulse is no load: seven times as much of it, after a pause, throws chains */
+	s->joint_h = s->longest_dt / (float)s->substeps;
+	s->joint_error_rate = joint_error_rate(s);
+	s->restless_speed = CNI_JOINT_RESTLESS * world->settings.length_unit;
+	s->joint = cni_soft_implicit(joint_hertz(s), 2.0f, s->h);
+	s->joint_turn_most = cni_min(CNI_JOINT_GAP_MOST, CNI_JOINT_CLOSING_MOST / cni_soft_error_rate(&s->joint, 1));
+	s->joint_gap_most = s->joint_turn_most * world->settings.length_unit;
+	s->joint_kernel = cni_joint_kernel_choose();
+}
+
 cni_solve cni_solve_make(const cn_world *world, float dt, int32_t substeps)
 {
 	const cni_settings *set = &world->settings;
@@ -110,22 +122,15 @@ cni_solve cni_solve_make(const cn_world *world, float dt, int32_t substeps)
 	s.mean_dt = mean_step(world, dt);
 	s.soft_rate = s.mean_dt > 0.0f ? 1.0f / (s.mean_dt / (float)substeps) : 0.0f;
 	s.longest_dt = longest_step(world, dt);
-	s.joint_h = s.longest_dt / (float)substeps;
 	s.warm_scale = warm_scale(world, dt);
-	s.joint_warm_scale = cni_min(s.warm_scale, 1.0f); /* an impact's impulse is no load: seven times as much of it, after a pause, throws chains */
 	s.push_speed = set->push_speed_max;
 	s.restitution_threshold = set->restitution_threshold;
 	for (int32_t kind = 0; kind < CNI_CONTACTS_KINDS; ++kind)
 		s.contact[kind] = contact_pass_make(world, &s, kind);
-	s.restless_speed = CNI_JOINT_RESTLESS * set->length_unit;
-	s.joint = cni_soft_implicit(joint_hertz(&s), 2.0f, s.h);
-	s.joint_error_rate = joint_error_rate(&s);
-	s.joint_turn_most = cni_min(CNI_JOINT_GAP_MOST, CNI_JOINT_CLOSING_MOST / cni_soft_error_rate(&s.joint, 1));
-	s.joint_gap_most = s.joint_turn_most * set->length_unit;
 	s.pushed_most = dt * cni_min(set->slop * cni_soft_error_rate(&s.contact[0].soft, 1), 0.5f * set->push_speed_max); /* a slop is left */
 	s.kernel = cni_contact_kernel_choose();
 	if (CNI_HAS_JOINTS)
-		s.joint_kernel = cni_joint_kernel_choose();
+		joints_make(world, &s);
 	s.body_kernel = cni_body_kernel_choose();
 	return s;
 }
