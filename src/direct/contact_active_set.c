@@ -31,10 +31,10 @@ static float speed_of(const cni_direct_contact_pass *q, const cni_direct_contact
 }
 
 /* Friction acts only while a point is active. */
-static void friction_follow(cni_direct_contact *p)
+static void friction_follow(const cni_direct_contact_pass *q, cni_direct_contact *p)
 {
 	int32_t active = p->state[0] == CNI_ROW_ACTIVE || p->state[1] == CNI_ROW_ACTIVE;
-	if (!active)
+	if (!active || (q->smooth && p->slips))
 		p->state[2] = CNI_ROW_OPEN;
 	else if (p->state[2] == CNI_ROW_OPEN)
 		p->state[2] = CNI_ROW_ACTIVE;
@@ -58,7 +58,7 @@ void cni_direct_contact_gap_speeds_find(const cni_direct_contact_pass *q)
 			push = CNI_CONTACT_SET_PUSH_RATE * q->s->inv_h * (s - left * cni_max(s, -slop));
 			p->gap_speed[i] = s > 0.0f ? s * q->s->inv_h : q->bias ? cni_max(push, -q->s->push_speed) : 0.0f;
 		}
-		friction_follow(p);
+		friction_follow(q, p);
 	}
 }
 
@@ -116,7 +116,7 @@ static void touching_activate(const cni_direct_contact_pass *q)
 		for (int32_t i = 0; i < 2; ++i)
 			if (p->mass[i] > 0.0f && p->state[i] == CNI_ROW_OPEN && speed_of(q, p, i) + p->gap_speed[i] < q->speed_least)
 				p->state[i] = CNI_ROW_ACTIVE;
-		friction_follow(p);
+		friction_follow(q, p);
 	}
 }
 
@@ -263,13 +263,13 @@ static violation friction_violation(const cni_direct_contact_pass *q, cni_direct
 	return m;
 }
 
-static void violation_fix(const violation *m)
+static void violation_fix(const cni_direct_contact_pass *q, const violation *m)
 {
 	cni_direct_contact *p = m->contact;
 	if (m->next == CNI_ROW_SLIDES)
 		p->slide_sign = p->j[2] > 0.0f ? 1.0f : -1.0f;
 	p->state[m->row] = m->next;
-	friction_follow(p);
+	friction_follow(q, p);
 }
 
 /* Updates the set: all violated rows at once, or the worst alone, which is slow and sure (Murty, 1974). Returns the number of violated
@@ -291,14 +291,22 @@ static int32_t set_update(const cni_direct_contact_pass *q, int32_t all)
 				continue;
 			++violations;
 			if (all)
-				violation_fix(&m[i]);
+				violation_fix(q, &m[i]);
 			else if (m[i].by > worst.by)
 				worst = m[i];
 		}
 	}
 	if (worst.contact != NULL)
-		violation_fix(&worst);
+		violation_fix(q, &worst);
 	return violations == 0 && off ? -1 : violations;
+}
+
+float cni_direct_contact_set_error(const cni_direct_contact_pass *q)
+{
+	float most = 0.0f;
+	for (cni_direct_contact *p = q->first; p < q->end; ++p)
+		most = cni_max(most, cni_max(friction_violation(q, p).by, cni_max(point_violation(q, p, 0).by, point_violation(q, p, 1).by)));
+	return most;
 }
 
 /* Solves with the present set and updates it. Returns the number of violated rows; INT32_MAX: no solution. */
@@ -356,4 +364,19 @@ int32_t cni_direct_contact_set_find(const cni_direct_contact_pass *q)
 		violations = slides_match(q, all, set_try(q, all));
 	}
 	return violations == 0;
+}
+
+float cni_direct_contact_smooth_sum(const cni_direct_contact_pass *q)
+{
+	cni_direct_contact_pass smooth = *q;
+	float sum = 0.0f;
+	smooth.smooth = 1;
+	smooth.warm = 0;
+	for (cni_direct_contact *p = q->first; p < q->end; ++p)
+		friction_follow(&smooth, p);
+	if (!cni_direct_contact_set_find(&smooth))
+		return FLT_MAX;
+	for (const cni_direct_contact *p = q->first; p < q->end; ++p)
+		sum += p->j[0] + p->j[1];
+	return sum;
 }

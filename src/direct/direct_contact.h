@@ -79,7 +79,7 @@ typedef struct cni_direct_contact {
 	uint8_t state[3];           /* CNI_ROW_ */
 	uint8_t state_kept[3];      /* ... at the beginning of the pass */
 	uint8_t untouched;          /* 1: j is the soft solver's impulse of the last step */
-	uint8_t reserved;
+	uint8_t slips;              /* 1: slides faster than CNI_DIRECT_STILL_SPEED at the beginning of the substep */
 	float slide_sign;           /* 1 or -1: direction of the friction of a sliding contact */
 	float coefficient, slope;   /* this and below: direct/friction_cones.c. Of friction; of the sliding lever */
 	float lift;                 /* m/s: coefficient times the slip of the last round */
@@ -150,10 +150,12 @@ typedef struct cni_direct_contact_pass {
 	int32_t bias;
 	int32_t warm;          /* 1: starts from the impulses of the last pass, 0: from none */
 	int32_t rounds;        /* limit of the search for a set */
+	int32_t smooth;        /* 1: without the friction of contacts that slip */
 	int32_t kept;          /* 1: the kept set is acceptable if nothing better is found */
 	int32_t denied;        /* 1: other systems have spent what the step may spend */
 	int32_t squeezed;      /* 1: no impulses close its points: friction cones are not tried, and it owes nothing */
 	float before;          /* twice the kinetic energy before the substep's impulses */
+	float smooth_sum;      /* cni_direct_contact_smooth_sum, or more: where no contact slips FLT_MAX */
 	cni_vec2 frame;        /* cni_island_frame */
 } cni_direct_contact_pass;
 
@@ -168,6 +170,11 @@ int32_t cni_direct_contact_system_solve(const cni_direct_contact_pass *q);
 /* Searches for the active set from that of the last pass; set_follow takes few rounds. 0: none was found. */
 int32_t cni_direct_contact_set_find(const cni_direct_contact_pass *q);
 int32_t cni_direct_contact_set_follow(const cni_direct_contact_pass *q);
+/* The largest speed by which the solution contradicts the present set. */
+float cni_direct_contact_set_error(const cni_direct_contact_pass *q);
+/* Sum of the normal impulses of the same pass without the friction of contacts that slip; FLT_MAX: no set was found. Changes states, impulses
+   and velocities. */
+float cni_direct_contact_smooth_sum(const cni_direct_contact_pass *q);
 /* Interior-point method, from the contacts' `start` and the impulses in `carried`. 0: not solved; the state is then undefined. */
 int32_t cni_direct_contacts_cone(const cni_direct_contact_pass *pass, int32_t *out_factors);
 

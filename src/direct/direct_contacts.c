@@ -4,8 +4,8 @@
  * An active-set method finds the active rows (direct/contact_active_set.c). Where it finds no set in CNI_CONTACT_SET_ROUNDS,
  * or where an island at rest begins to move by its solution, an interior-point method takes over (direct/friction_cones.c). The passes
  * after that start from its impulses instead of from none: of several redundant sets of impulses, the one of least energy may have negative ones. A solution that gains energy
- * is discarded: impulses of an inconsistent set can add it without bound. The contacts then return to the soft solver with the impulses and
- * loads that they had, so that the attempt does not disturb a pile.
+ * is discarded: impulses of an inconsistent set can add it without bound. So is one in which friction jams what slides. The contacts then
+ * return to the soft solver with the impulses and loads that they had, so that the attempt does not disturb a pile.
  *
  * Reads and writes lanes of contact blocks, motion velocities, impulses of joint constraints.
  */
@@ -181,14 +181,65 @@ static int32_t energy_fits(const cni_direct_contact_pass *q)
 	       work <= 2.0f * (q->before + bodies * energy_at_speed(q, q->s->push_speed));
 }
 
-/* Solves with the set in which a body at rest begins to move, as the interior-point method has not run or found nothing better. It was
-   consistent: the energy tells whether it is so with the impulses of the pass. */
+/* ---- jams ---- */
+
+/* Marks contacts that slip. 1: there are any. */
+static int32_t slips_mark(const cni_direct_contact_pass *q)
+{
+	float least = CNI_DIRECT_STILL_SPEED * q->world->settings.length_unit;
+	int32_t some = 0;
+	for (cni_direct_contact *p = q->first; p < q->end; ++p) {
+		if (q->bias)
+			p->slips = cni_abs(cni_direct_contact_speed(p, 2, q->motions + p->ia, q->motions + p->ib)) > least;
+		some |= p->slips;
+	}
+	return some;
+}
+
+/*
+ * Where bodies slide, Coulomb's law has more than one solution, or none without impacts (Painleve's paradox): friction that stops the slide
+ * presses points together, whose impulses permit this friction. Such a jam obeys every cone, and takes its energy from the slide: in one step a
+ * column of heavy boxes on light ones turned about its front edge as one block. Loads, approach and pushes explain the normal impulses without
+ * the friction of what slips, and few more. Where no set is found without it, any are permitted.
+ */
+static void smooth_sum_find(cni_direct_contact_pass *q)
+{
+	q->smooth_sum = FLT_MAX;
+	if (!slips_mark(q))
+		return;
+	q->smooth_sum = cni_max(cni_direct_contact_smooth_sum(q), q->speed_least * cni_component_mass(q->world, q->sparse, q->c));
+	cni_direct_contact_states_save(q, 1);
+	state_save(q, 1);
+}
+
+static int32_t is_jammed(const cni_direct_contact_pass *q)
+{
+	float sum = 0.0f;
+	for (const cni_direct_contact *p = q->first; p < q->end; ++p)
+		sum += p->j[0] + p->j[1];
+	return sum > CNI_CONTACT_SET_JAM * q->smooth_sum;
+}
+
+static int32_t is_acceptable(const cni_direct_contact_pass *q)
+{
+	return energy_fits(q) && !is_jammed(q);
+}
+
+/* 1: the impulses are far out of their cones. A relax pass may end with the set of its pass with bias, which is wrong where moving bodies part or
+   slide without the pushes. */
+static int32_t set_is_wrong(const cni_direct_contact_pass *q)
+{
+	return was_moving(q) && cni_direct_contact_set_error(q) > CNI_DIRECT_STILL_SPEED * q->world->settings.length_unit;
+}
+
+/* Solves with the set in which a body at rest begins to move, or with that of the pass with bias, as the interior-point method has not run or
+   found nothing better. It was consistent: errors and energy tell whether it is so with the impulses of the pass. */
 static int32_t solve_with_kept_set(const cni_direct_contact_pass *q)
 {
 	cni_direct_contact_states_save(q, 1);
 	state_save(q, 1); /* for sliding friction: the impulses of a set that was no solution do not count */
 	cni_direct_contact_round_begin(q);
-	if (!cni_direct_contact_system_solve(q) || !energy_fits(q))
+	if (!cni_direct_contact_system_solve(q) || set_is_wrong(q) || !is_acceptable(q))
 		return 0;
 	commit(q);
 	return 1;
@@ -242,6 +293,8 @@ static int32_t set_solve(cni_direct_contact_pass *q)
 		q->squeezed = squeeze_find(q) > 0.0f;
 		return 0;
 	}
+	if (is_jammed(q))
+		return 0;
 	if (q->bias && !is_recent(q, q->island->gives_step) && starts_moving(q) && !was_moving(q)) {
 		cni_direct_contact_states_save(q, 0);
 		q->kept = 1;
@@ -295,7 +348,7 @@ static int32_t cone_solve(cni_direct_contact_pass *q)
 	good = cni_direct_contacts_cone(q, &factors);
 	q->world->cone_work += factors * cni_cone_factor_work(q->c);
 	debt_add(q, factors * work_a_contact(q));
-	if (!good || !energy_fits(q))
+	if (!good || !is_acceptable(q))
 		return 0;
 	q->warm = 1;
 	return 1;
@@ -320,7 +373,7 @@ static void solution_accept(const cni_direct_contact_pass *q)
 int32_t cni_direct_contacts_solve(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c, int32_t bias)
 {
 	cni_direct_contact_pass q = { world, s, sparse, c, cni_motions(world), sparse->contacts + c->contact_begin, sparse->contacts + c->contact_end, NULL, CNI_DIRECT_SPEED_LEAST * world->settings.length_unit,
-		bias, 0, CNI_CONTACT_SET_ROUNDS, !bias, 0, 0, 0.0f, { 0.0f, 0.0f } };
+		bias, 0, CNI_CONTACT_SET_ROUNDS, 0, !bias, 0, 0, 0.0f, FLT_MAX, { 0.0f, 0.0f } };
 	int32_t shared = world->cone_work + world->set_work > 0;
 	if (!bias && c->nothing_pushed)
 		return 1;
@@ -336,6 +389,7 @@ int32_t cni_direct_contacts_solve(cn_world *world, const cni_solve *s, cni_spars
 		q.rounds = CNI_CONTACT_SET_ROUNDS_LARGE;
 	cni_direct_contact_gap_speeds_find(&q);
 	cni_direct_contact_states_save(&q, 0);
+	smooth_sum_find(&q);
 	if (set_solve(&q) || (!q.squeezed && cone_solve(&q))) {
 		solution_accept(&q);
 		return 1;

@@ -297,6 +297,10 @@ CNI_TUNING_FLOAT(CNI_CONTACT_SET_SWAY_PART, 0.1f)
 CNI_TUNING_COUNT(CNI_CONTACT_SET_SWAY_STEPS, 8)
 /* Length units. A smaller gap or overlap is rounding of positions. Redundant rows would react to rounding with impulses of any size. */
 CNI_TUNING_FLOAT(CNI_CONTACT_SET_TOUCHING, 5e-6f)
+/* Most normal impulses of a pass over those without the friction of contacts that slip. What is struck or slides has 0.7 to 2 in 95 of 100 passes,
+   columns of heavy boxes on light ones that jam 2 to 9. With 1.5, 2, 3, 4 and no limit 17, 24, 53, 79, 92 of 2,400 columns change their momentum
+   in a step by more than twice what those of soft constraints do. */
+CNI_TUNING_FLOAT(CNI_CONTACT_SET_JAM, 2.0f)
 /* Part by which the friction of a sliding contact may differ from coefficient times normal force. */
 CNI_TUNING_FLOAT(CNI_SLIDE_CLOSE, 0.01f)
 
