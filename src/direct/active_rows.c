@@ -17,7 +17,7 @@
  */
 #include "direct/direct_system.h"
 
-#define MOTOR_YIELD 1e-4f       /* of its speed, at its greatest impulse in a substep */
+#define MOTOR_YIELD 1e-4f      /* of its speed, at its greatest impulse in a substep */
 #define LIMIT_BEARS_LEAST 0.5f /* of what contacts press on a limit: one that bears less lets go */
 
 /* Target speed of the row; for a limit, the least speed. Limits push no faster than overlaps: joints of figures under a slab would stretch

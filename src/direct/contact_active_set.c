@@ -366,17 +366,22 @@ int32_t cni_direct_contact_set_find(const cni_direct_contact_pass *q)
 	return violations == 0;
 }
 
+float cni_direct_contact_normal_sum(const cni_direct_contact_pass *q)
+{
+	float sum = 0.0f;
+	for (const cni_direct_contact *p = q->first; p < q->end; ++p)
+		sum += p->j[0] + p->j[1];
+	return sum;
+}
+
 float cni_direct_contact_smooth_sum(const cni_direct_contact_pass *q)
 {
 	cni_direct_contact_pass smooth = *q;
-	float sum = 0.0f;
 	smooth.smooth = 1;
 	smooth.warm = 0;
 	for (cni_direct_contact *p = q->first; p < q->end; ++p)
 		friction_follow(&smooth, p);
 	if (!cni_direct_contact_set_find(&smooth))
 		return FLT_MAX;
-	for (const cni_direct_contact *p = q->first; p < q->end; ++p)
-		sum += p->j[0] + p->j[1];
-	return sum;
+	return cni_direct_contact_normal_sum(q);
 }

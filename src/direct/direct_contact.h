@@ -172,7 +172,9 @@ int32_t cni_direct_contact_set_find(const cni_direct_contact_pass *q);
 int32_t cni_direct_contact_set_follow(const cni_direct_contact_pass *q);
 /* The largest speed by which the solution contradicts the present set. */
 float cni_direct_contact_set_error(const cni_direct_contact_pass *q);
-/* Sum of the normal impulses of the same pass without the friction of contacts that slip; FLT_MAX: no set was found. Changes states, impulses
+/* Sum of the normal impulses of the solution. */
+float cni_direct_contact_normal_sum(const cni_direct_contact_pass *q);
+/* ... of the same pass without the friction of contacts that slip; FLT_MAX: no set was found. Changes states, impulses
    and velocities. */
 float cni_direct_contact_smooth_sum(const cni_direct_contact_pass *q);
 /* Interior-point method, from the contacts' `start` and the impulses in `carried`. 0: not solved; the state is then undefined. */

@@ -214,10 +214,7 @@ static void smooth_sum_find(cni_direct_contact_pass *q)
 
 static int32_t is_jammed(const cni_direct_contact_pass *q)
 {
-	float sum = 0.0f;
-	for (const cni_direct_contact *p = q->first; p < q->end; ++p)
-		sum += p->j[0] + p->j[1];
-	return sum > CNI_CONTACT_SET_JAM * q->smooth_sum;
+	return cni_direct_contact_normal_sum(q) > CNI_CONTACT_SET_JAM * q->smooth_sum;
 }
 
 static int32_t is_acceptable(const cni_direct_contact_pass *q)
