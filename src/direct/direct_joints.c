@@ -312,6 +312,16 @@ static void pending_begin(cn_world *world, const cni_solve *s, cni_component *c,
 	c->pending = 0;
 }
 
+/* The component of each body, until cni_projection_mark. */
+static void components_number(const cn_world *world, const cni_sparse *sparse)
+{
+	for (int32_t k = 0; k < world->awake_count; ++k)
+		sparse->projection_of[k] = CNI_NONE;
+	for (int32_t k = 0; k < sparse->component_count; ++k)
+		for (int32_t i = sparse->components[k].body_begin; i < sparse->components[k].body_end; ++i)
+			sparse->projection_of[sparse->bodies[i]] = k;
+}
+
 void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 {
 	memset(out, 0, sizeof *out);
@@ -325,6 +335,7 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 	if (out->component_count == 0)
 		return;
 	s->direct = out;
+	components_number(world, out);
 	for (int32_t k = 0; k < out->component_count; ++k) {
 		cni_component *c = &out->components[k];
 		if (c->done)
@@ -358,7 +369,7 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 	cni_components_run(world, s, cni_components_team(world, out, 1), pending_begin, 0);
 	cni_direct_contacts_extract(world, out);
 	if (CNI_ON(JOINT_PROJECTION))
-		cni_projection_mark(world, out);
+		cni_projection_mark(out);
 	cni_heavy_contacts_find(world, s);
 	world->direct_work = work_planned(world, out);
 }

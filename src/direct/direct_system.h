@@ -101,7 +101,7 @@ int32_t cni_direct_apply(cn_world *world, cni_sparse *sparse, cni_component *c);
 /* Levers, dampers and factors at the bodies' present rotations. */
 void cni_direct_system(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c);
 /* Lists the components that contacts may open: direct/joint_projection.c. */
-void cni_projection_mark(const cn_world *world, cni_sparse *sparse);
+void cni_projection_mark(cni_sparse *sparse);
 
 /* ---- motors and limits in the system: direct/active_rows.c ---- */
 

@@ -1,7 +1,7 @@
 /*
  * direct/heavy_contacts_list.c - which contacts direct/heavy_contacts.c solves with the joints of a component: those of its bodies with
- * heavier ones that bear much, or may meet in this step; with bodies of like mass that are pressed deep into them; with static bodies under
- * extreme loads; those that bounce.
+ * heavier ones that bear much, or may meet in this step; with bodies of like mass that are pressed deep into them, or are slow and of the same
+ * component; with static bodies under extreme loads; those that bounce.
  *
  * Reads contacts, lanes, motion; writes the list of heavy contacts of the step.
  */
@@ -75,13 +75,20 @@ static int32_t is_pressed(const cn_world *world, const cni_solve *s, int32_t con
 	return 0;
 }
 
-/* 1: the contact with a body of like mass, free or jointed, overlaps and bears much, and index is the lighter of the two, which lists it. */
+/* Which of two bodies of like mass lists their contact: the lighter one. */
+static int32_t lists(const cn_world *world, int32_t index, int32_t other)
+{
+	float own = cni_motions(world)[index].inv_mass, of_other = cni_motions(world)[other].inv_mass;
+	return own > of_other || (own == of_other && index < other);
+}
+
+/* 1: the contact with a body of like mass, free or jointed, overlaps and bears much. */
 static int32_t is_squeezed(const cn_world *world, const cni_solve *s, int32_t contact, int32_t index, int32_t other)
 {
-	float inv_mass = cni_motions(world)[index].inv_mass, of_other = cni_motions(world)[other].inv_mass, deep = -CNI_HEAVY_LIKE_SLOPS * world->settings.slop;
+	float deep = -CNI_HEAVY_LIKE_SLOPS * world->settings.slop;
 	int32_t slot = cni_contact_at(world, contact)->slot, l = slot % CNI_LANES;
 	const cni_contact_block *block = cni_block_at(world, slot / CNI_LANES);
-	if (inv_mass < of_other || (inv_mass == of_other && index > other) || (block->p[0].s0[l] > deep && block->p[1].s0[l] > deep))
+	if (!lists(world, index, other) || (block->p[0].s0[l] > deep && block->p[1].s0[l] > deep))
 		return 0;
 	return bears(block, l, CNI_HEAVY_LIKE_STRESS * cni_length(world->settings.gravity) * s->h);
 }
@@ -116,6 +123,7 @@ static void body_contacts_list(const cn_world *world, const cni_solve *s, cni_sp
 		--left;
 		if (single && (light || !is_free(world, other->awake)))
 			continue;
+		light = light && !(slow && sparse->projection_of[other->awake] == component && lists(world, index, other->awake));
 		light = light && (sparse->heavy_count >= CNI_HEAVY_CONTACTS_FREE || !is_squeezed(world, s, key >> 1, index, other->awake));
 		if ((light && *cni_heavy_restitution(world, key >> 1) <= 0.0f) || cni_direct_lane_is_locked(world, c))
 			continue;

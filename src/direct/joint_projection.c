@@ -18,17 +18,16 @@
 
 #define MARKS_LOOKED_AT 16
 
-void cni_projection_mark(const cn_world *world, cni_sparse *sparse)
+void cni_projection_mark(cni_sparse *sparse)
 {
-	for (int32_t k = 0; k < world->awake_count; ++k)
-		sparse->projection_of[k] = CNI_NONE;
 	memset(sparse->projections, 0, sizeof(cni_projection) * (size_t)sparse->component_count);
 	for (int32_t k = 0; k < sparse->component_count; ++k) {
 		const cni_component *c = &sparse->components[k];
-		if (c->done || c->has_contacts || c->touched == 0)
-			continue;
+		int32_t unlisted = c->done || c->has_contacts || c->touched == 0;
 		for (int32_t i = c->body_begin; i < c->body_end; ++i)
-			sparse->projection_of[sparse->bodies[i]] = k;
+			sparse->projection_of[sparse->bodies[i]] = unlisted ? CNI_NONE : k;
+		if (unlisted)
+			continue;
 		sparse->projections[k].listed = 1;
 		sparse->projections[k].mark_begin = CNI_NONE;
 		++sparse->projection_count;
