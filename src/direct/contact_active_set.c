@@ -51,11 +51,12 @@ void cni_direct_contact_gap_speeds_find(const cni_direct_contact_pass *q)
 {
 	float touch = CNI_CONTACT_SET_TOUCHING * q->world->settings.length_unit;
 	float left = may_sway(q) ? 1.0f - CNI_CONTACT_SET_SWAY_PART : 0.0f, slop = q->world->settings.slop;
+	float rate = CNI_CONTACT_SET_PUSH_RATE * cni_min(q->s->inv_h, q->s->soft_rate);
 	for (cni_direct_contact *p = q->first; p < q->end; ++p) {
 		for (int32_t i = 0; i < 2; ++i) {
 			float s = p->mass[i] > 0.0f ? cni_direct_contact_separation(p, i, q->motions + p->ia, q->motions + p->ib) : 0.0f, push;
 			s = s > 0.0f ? cni_max(s - touch, 0.0f) : cni_min(s + touch, 0.0f);
-			push = CNI_CONTACT_SET_PUSH_RATE * q->s->inv_h * (s - left * cni_max(s, -slop));
+			push = rate * (s - left * cni_max(s, -slop));
 			p->gap_speed[i] = s > 0.0f ? s * q->s->inv_h : q->bias ? cni_max(push, -q->s->push_speed) : 0.0f;
 		}
 		friction_follow(q, p);

@@ -367,9 +367,15 @@ static void solution_accept(const cni_direct_contact_pass *q)
 	q->c->nothing_pushed = q->bias && nothing_was_pushed(q);
 }
 
+/* In a short step gravity alone gives less speed than counts as none otherwise, and what solutions leave open would be more energy than there is. */
+static float speed_least(const cn_world *world, const cni_solve *s)
+{
+	return CNI_DIRECT_SPEED_LEAST * world->settings.length_unit * cni_min(s->h * (1.0f / CNI_DIRECT_SHORT_S), 1.0f);
+}
+
 int32_t cni_direct_contacts_solve(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c, int32_t bias)
 {
-	cni_direct_contact_pass q = { world, s, sparse, c, cni_motions(world), sparse->contacts + c->contact_begin, sparse->contacts + c->contact_end, NULL, CNI_DIRECT_SPEED_LEAST * world->settings.length_unit,
+	cni_direct_contact_pass q = { world, s, sparse, c, cni_motions(world), sparse->contacts + c->contact_begin, sparse->contacts + c->contact_end, NULL, speed_least(world, s),
 		bias, 0, CNI_CONTACT_SET_ROUNDS, 0, !bias, 0, 0, 0.0f, FLT_MAX, { 0.0f, 0.0f } };
 	int32_t shared = world->cone_work + world->set_work > 0;
 	if (!bias && c->nothing_pushed)

@@ -264,6 +264,8 @@ CNI_TUNING_COUNT(CNI_TRUST_MOST, 256)
 
 /* Length units a second that count as no motion: tolerance ("speed_least") of the direct contact solver. */
 CNI_TUNING_FLOAT(CNI_DIRECT_SPEED_LEAST, 1e-4f)
+/* Seconds: in shorter substeps that speed is less, in proportion. */
+CNI_TUNING_FLOAT(CNI_DIRECT_SHORT_S, 5e-4f)
 /* Times speed_least. Contacts that part or slide faster yield. */
 CNI_TUNING_FLOAT(CNI_DIRECT_PARTING, 10.0f)
 /* Times the momentum of all bodies of a system, and of pushing them: a point that bears more and still closes is squeezed. */

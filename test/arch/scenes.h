@@ -21,11 +21,11 @@ static const arch_scene arch_scenes[ARCH_SCENES] = {
 	{ "shapes", scene_shapes, 0x3f7d38d5bb1f176e },
 	{ "joints", scene_joints, 0x75e2e32bb67b4458 },
 	{ "direct", scene_direct, 0x4ac12576c772b1f5 },
-	{ "tiers", scene_tiers, 0xd8bfe1b00f5223b9 },
+	{ "tiers", scene_tiers, 0x35f14f1c7391eefe },
 	{ "sequential", scene_sequential, 0x08c4cf8f2876c0a2 },
 	{ "queries", scene_queries, 0x9c8eb7c928c66a1c },
 	{ "events", scene_events, 0x24d26d0cd222177d },
-	{ "file", scene_file, 0x6773f6068a3fcff7 },
+	{ "file", scene_file, 0x1634d575d037bfee },
 };
 
 /* The number of a scene; 0 if a call failed: arch_failed_line. */
