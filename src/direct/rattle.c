@@ -520,7 +520,7 @@ static int32_t step_try(rattle_step *g, const cni_solve *s, cni_component *c, in
 		return 0;
 	rattle_energies after = cni_rattle_energies(g, s->dt);
 	float gained = after.total - before.total - g->base_work;
-	if (!(projects ? projection_fits(g, &before, &after) : gained <= CNI_RATTLE_ENERGY_PART * before.total + before.allowed + g->energy_error))
+	if (!(projects ? projection_fits(g, &before, &after) : gained <= CNI_RATTLE_ENERGY_PART * before.total + before.allowed))
 		return 0; /* so does NaN */
 	cni_rattle_account(g, &after, t, gained);
 	return 1;
