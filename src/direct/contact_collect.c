@@ -149,32 +149,14 @@ static void contact_restore(cn_world *world, cni_direct_contact *p)
 	p->node = CNI_NONE;
 }
 
-/*
- * Impulses that squeeze bodies (squeeze_find in direct_contacts.c) are no elastic energy: exact solutions find them anew in each pass, but soft contacts, and
- * what wakes, would start with them and throw the pile when the press lets go. All are reduced alike, so that those on both sides of a body cancel.
- */
-static void squeeze_reduce(cni_sparse *sparse, const cni_component *c)
-{
-	float part = 1.0f;
-	for (const cni_direct_contact *p = sparse->contacts + c->contact_begin; p < sparse->contacts + c->contact_end && c->squeeze_most > 0.0f; ++p)
-		part = cni_min(part, c->squeeze_most / cni_max(p->j[0] + p->j[1], c->squeeze_most));
-	for (cni_direct_contact *p = sparse->contacts + c->contact_begin; p < sparse->contacts + c->contact_end && part < 1.0f; ++p)
-		for (int32_t i = 0; i < 3; ++i)
-			p->j[i] *= part;
-}
-
 void cni_direct_contacts_restore(cn_world *world, cni_sparse *sparse, const cni_component *c)
 {
-	squeeze_reduce(sparse, c);
 	for (int32_t k = c->contact_begin; k < c->contact_end; ++k)
 		contact_restore(world, &sparse->contacts[k]);
 }
 
 void cni_direct_contacts_restore_all(cn_world *world, cni_sparse *sparse, float h)
 {
-	for (int32_t k = 0; k < sparse->component_count; ++k)
-		if (sparse->components[k].has_contacts)
-			squeeze_reduce(sparse, &sparse->components[k]);
 	for (int32_t k = 0; k < sparse->contact_count; ++k) {
 		cni_direct_contact *p = &sparse->contacts[k];
 		if (p->node == CNI_NONE)

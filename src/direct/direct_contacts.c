@@ -148,9 +148,9 @@ static float push_work(const cni_direct_contact_pass *q)
 /*
  * Where fixed and kinematic bodies squeeze others no impulses close all points, and the regularization alone bounds those that are found, by thousands
  * of weights. They are known by a point that still closes although it bears more than the momentum of all bodies, and of all pushed at once: a light
- * body under one of ten thousand times its mass closes as slowly, and bears no more than that. Returns that momentum; 0: nothing is squeezed.
+ * body under one of ten thousand times its mass closes as slowly, and bears no more than that.
  */
-static float squeeze_find(const cni_direct_contact_pass *q)
+static int32_t points_are_squeezed(const cni_direct_contact_pass *q)
 {
 	float bears = 0.0f, push = 0.0f;
 	for (const cni_direct_contact *p = q->first; p < q->end && q->c->joints == 0; ++p)
@@ -159,10 +159,8 @@ static float squeeze_find(const cni_direct_contact_pass *q)
 			push = cni_max(push, -p->gap_speed[i]);
 			bears = cni_max(bears, speed < -CNI_DIRECT_PARTING * q->speed_least ? p->j[i] : 0.0f);
 		}
-	if (bears == 0.0f)
-		return 0.0f;
-	float mass = cni_component_mass(q->world, q->sparse, q->c), most = CNI_DIRECT_SQUEEZE_MOST * (cni_sqrt(mass * q->before) + mass * push);
-	return bears > most ? most : 0.0f;
+	float mass = bears > 0.0f ? cni_component_mass(q->world, q->sparse, q->c) : 0.0f;
+	return bears > CNI_DIRECT_SQUEEZE_MOST * (cni_sqrt(mass * q->before) + mass * push);
 }
 
 /*
@@ -287,7 +285,7 @@ static int32_t set_solve(cni_direct_contact_pass *q)
 	if (!(q->warm ? cni_direct_contact_set_follow(q) : cni_direct_contact_set_find(q)))
 		return 0;
 	if (!energy_fits(q)) {
-		q->squeezed = squeeze_find(q) > 0.0f;
+		q->squeezed = points_are_squeezed(q);
 		return 0;
 	}
 	if (is_jammed(q))
@@ -361,9 +359,6 @@ static void solution_accept(const cni_direct_contact_pass *q)
 		q->island->gives_step = step;
 	}
 	commit(q);
-	float squeeze = squeeze_find(q);
-	if (squeeze > 0.0f)
-		q->c->squeeze_most = squeeze;
 	q->c->nothing_pushed = q->bias && nothing_was_pushed(q);
 }
 

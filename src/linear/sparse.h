@@ -84,7 +84,6 @@ typedef struct cni_component {
 	int32_t contact_begin, contact_end; /* ... in contacts */
 	int32_t cone_pushed;           /* ... 1: direct/friction_cones.c ran in the pass with bias of this substep */
 	int32_t denied;                /* ... 1: ... did not run, for the work of other components in this step */
-	float squeeze_most;            /* ... N s: no impulses closed all points in this step, and those that it stores are reduced to this; 0: they did */
 	int32_t nothing_pushed;        /* ... 1: no contact was pushed in this substep */
 	int32_t factored;              /* ... 1: the pivots belong to the present levers */
 	int32_t joints;                /* number of nodes that are joints */
