@@ -196,6 +196,60 @@ void cni_direct_refresh(cn_world *world, cni_sparse *sparse, const cni_component
 	cni_sparse_factor(sparse, c, cni_motions(world));
 }
 
+/* ---- loops between moving ends ---- */
+
+float cni_component_bases_ask(const cn_world *world, cni_sparse *sparse, const cni_component *c)
+{
+	float most = 0.0f;
+	for (int32_t k = c->begin; k < c->end; ++k) {
+		cni_node *n = &sparse->nodes[k];
+		cni_four_store(n->x, cni_four_subtract(cni_four_all(0.0f), cni_node_base_speed(n, cni_motions(world))));
+		for (int32_t i = 0; i < n->rows; ++i)
+			most = cni_max(most, cni_abs(n->x[i]) * cni_row_length(world, &cni_joint_constraints(world)[n->owner].rows[i]));
+	}
+	return most;
+}
+
+/* A taut rope has the row of a rod (1), or none (0). */
+static void ropes_tighten(const cn_world *world, cni_sparse *sparse, const cni_component *c, int32_t rows)
+{
+	for (int32_t k = c->begin; k < c->end && c->has_ropes; ++k) {
+		const cni_joint_constraint *w = cni_joint_constraints(world) + sparse->nodes[k].owner;
+		if (cni_joint_is_rope(w->record))
+			sparse->nodes[k].rows = rows && w->rows[0].error <= 0.0f;
+	}
+}
+
+/* The greatest speed of a body in the least motion that follows the ends: right sides are those of cni_component_bases_ask. FLT_MAX: there is none. */
+static float speed_that_follows(cn_world *world, cni_sparse *sparse, const cni_component *c)
+{
+	float speed;
+	cni_sparse_factor(sparse, c, cni_motions(world));
+	if (!cni_sparse_solve(sparse, c))
+		return FLT_MAX;
+	cni_direct_motions_save(world, sparse, c, 0);
+	velocities_push(world, sparse, c);
+	speed = change_most(world, sparse, c);
+	cni_direct_motions_save(world, sparse, c, 1);
+	return speed;
+}
+
+int32_t cni_component_is_pulled(cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c)
+{
+	float pull, speed;
+	if (!c->loops || !c->meets_kinematic || c->has_contacts)
+		return 0;
+	cni_component_rows_need(world, s, sparse, c);
+	cni_sparse_clear(sparse, c);
+	cni_direct_rotations(world, sparse, c);
+	ropes_tighten(world, sparse, c, 1);
+	(void)levers_read(world, sparse, c, 0.0f);
+	pull = cni_component_bases_ask(world, sparse, c);
+	speed = pull > 0.0f ? speed_that_follows(world, sparse, c) : 0.0f;
+	ropes_tighten(world, sparse, c, 0);
+	return speed > cni_max(CNI_LOOP_PULLED * pull, CNI_LOOP_PULLED_SPEED * world->settings.length_unit);
+}
+
 void cni_component_rows_need(cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c)
 {
 	for (int32_t k = c->begin; k < c->end; ++k)

@@ -163,7 +163,8 @@ static void soften_for(cn_world *world, cni_sparse *sparse, cni_component *c, in
 }
 
 /* A component with a joint that was torn open, by a body that was put elsewhere or by moving parts that pull it apart: exact joints turn
-   its bodies so far while they close the gap that linear systems say nothing of it. It is soft until the gap is closed. */
+   its bodies so far while they close the gap that linear systems say nothing of it. It is soft until the gap is closed, for spans in which it is
+   not planned: joints that are planned and released in each step are solved one by one, and stretch four times as far as those in lanes. */
 static int32_t is_torn(const cni_solve *s, float gap)
 {
 	return gap > s->joint_gap_most;
@@ -345,17 +346,16 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 		c->uses_rattle = CNI_ON(RATTLE) && !c->has_contacts && cni_component_uses_rattle(world, s, out, c);
 		float gap = gaps_find(world, s, out, c);
 		c->uses_rattle = c->uses_rattle && (c->loops || !c->closes_fast); /* it closes gaps at once */
-		if (is_torn(s, gap)) {
-			impulses_soften(world, out, c);
-			cni_component_release(world, out, c);
-		} else if (is_contradictory(world, out, c) || is_squeezed(world, out, c)) {
+		if (is_torn(s, gap))
+			soften_for(world, out, c, 0);
+		else if (is_contradictory(world, out, c) || is_squeezed(world, out, c)) {
 			impulses_scale(world, out, c, 0.0f);
 			cni_component_suspend(world, out, c, CNI_TRUST_MOST);
 		} else if (loop_is_better_soft(world, out, c))
 			soften_for(world, out, c, CNI_TRUST_MOST);
 		else if (is_open_loop(world, s, out, c, gap))
-			soften_for(world, out, c, c->uses_rattle ? 1 : CNI_TRUST_MOST);
-		else if (is_ill_scaled(world, s, out, c, gap))
+			soften_for(world, out, c, c->uses_rattle ? 0 : CNI_TRUST_MOST);
+		else if (cni_component_is_pulled(world, s, out, c) || is_ill_scaled(world, s, out, c, gap))
 			soften_for(world, out, c, 0);
 		else if (c->body_begin == c->body_end)
 			cni_component_release(world, out, c);

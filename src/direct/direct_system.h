@@ -33,6 +33,16 @@ static inline int32_t cni_component_is_row(const cni_component *c, int32_t held)
 void cni_component_release(cn_world *world, cni_sparse *sparse, cni_component *c);
 /* ... and for `span` steps; 0: for a span that doubles with each failure. */
 void cni_component_suspend(cn_world *world, cni_sparse *sparse, cni_component *c, int32_t span);
+/* Closing speeds of the node's rows by the motion of bodies that cannot be moved alone. */
+static inline cni_four cni_node_base_speed(const cni_node *n, const cni_motion *motions)
+{
+	const cni_motion still = { 0 }, *a = motions + n->ia, *b = motions + n->ib;
+	return cni_levers_speed(&n->levers, cni_motion_can_move(a) ? &still : a, cni_motion_can_move(b) ? &still : b);
+}
+/* Right sides that answer to these speeds, into its nodes' x. Returns the greatest. */
+float cni_component_bases_ask(const cn_world *world, cni_sparse *sparse, const cni_component *c);
+/* 1: a loop that is so nearly straight between moving ends that some of its bodies would have to be far faster than these. */
+int32_t cni_component_is_pulled(cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c);
 /* Builds the rows of its joints that have none yet. */
 void cni_component_rows_need(cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c);
 /* 1: only the component's rigid joints constrain its bodies in this step. */

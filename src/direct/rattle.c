@@ -496,11 +496,22 @@ static int32_t substeps_run(rattle_step *g, const cni_solve *s, int32_t substeps
 	return 1;
 }
 
-/* Projections cannot raise kinetic energy: any gain is rounding. Moving bases may do any work. */
+/* Projections cannot raise kinetic energy: any gain is rounding. Moving bases may do any work, but not on loops: what RATTLE cannot follow there is being
+   pulled straight, and the nearest motion that follows it is of any speed. */
 static int32_t projection_fits(const rattle_step *g, const rattle_energies *before, const rattle_energies *after)
 {
 	float most = cni_sq(cni_sqrt(before->total) + cni_sqrt(before->allowed)); /* in the norm of kinetic energy */
-	return after->kinetic <= (1.0f + CNI_RATTLE_ENERGY_PART) * most || g->base_work != 0.0f;
+	return after->kinetic <= (1.0f + CNI_RATTLE_ENERGY_PART) * most || (g->base_work != 0.0f && !g->c->loops);
+}
+
+/* Moving bases give a loop no more energy in a step than all its bodies have at the speed of the fastest: before it is straight they throw it. */
+static int32_t pull_fits(const rattle_step *g, const rattle_energies *before, const rattle_energies *after)
+{
+	if (!g->c->loops || g->base_work == 0.0f)
+		return 1;
+	float speed = cni_component_bases_ask(g->world, g->sparse, g->c);
+	float most = cni_sqrt(before->total) + cni_sqrt(before->allowed) + speed * cni_sqrt(0.5f * cni_component_mass(g->world, g->sparse, g->c));
+	return after->kinetic <= (1.0f + CNI_RATTLE_ENERGY_PART) * cni_sq(most);
 }
 
 /* Tries a step by RATTLE, or by projections, with this number of substeps. */
@@ -520,8 +531,9 @@ static int32_t step_try(rattle_step *g, const cni_solve *s, cni_component *c, in
 		return 0;
 	rattle_energies after = cni_rattle_energies(g, s->dt);
 	float gained = after.total - before.total - g->base_work;
-	if (!(projects ? projection_fits(g, &before, &after) : gained <= CNI_RATTLE_ENERGY_PART * before.total + before.allowed))
-		return 0; /* so does NaN */
+	int32_t conserves = gained <= CNI_RATTLE_ENERGY_PART * before.total + before.allowed; /* 0 for NaN */
+	if (!(projects ? projection_fits(g, &before, &after) : conserves && pull_fits(g, &before, &after)))
+		return 0;
 	cni_rattle_account(g, &after, t, gained);
 	return 1;
 }

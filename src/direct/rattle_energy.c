@@ -56,25 +56,16 @@ float cni_rattle_energy_error(const rattle_step *g, const cni_solve *s)
 	return sum * last * last / 4.0f;
 }
 
-/* Closing speed of the row from the motion of its massless bodies alone. */
-static float base_speed(const cni_levers *l, int32_t row, const cni_motion *a, const cni_motion *b)
-{
-	float speed = 0.0f;
-	if (a->inv_mass == 0.0f)
-		speed += l->ax[row] * a->vx + l->ay[row] * a->vy + l->aw[row] * a->w;
-	if (b->inv_mass == 0.0f)
-		speed += l->bx[row] * b->vx + l->by[row] * b->vy + l->bw[row] * b->w;
-	return speed;
-}
-
 /* In a substep J v = 0, so the row's power on bodies with mass is minus that of the massless ones. */
 float cni_rattle_base_work(const rattle_step *g)
 {
 	float work = 0.0f;
 	for (int32_t k = g->c->begin; k < g->c->end; ++k) {
 		const cni_node *n = &g->sparse->nodes[k];
+		float speed[CNI_NODE_LANES];
+		cni_four_store(speed, cni_node_base_speed(n, g->motions));
 		for (int32_t i = 0; i < n->rows; ++i)
-			work -= n->total[i] * base_speed(&n->levers, i, g->motions + n->ia, g->motions + n->ib);
+			work -= n->total[i] * speed[i];
 	}
 	return work;
 }

@@ -1,9 +1,9 @@
 /*
  * test/world/inconsistent_joints_test.c - joints that cannot all hold: anchors of welded and pinned grids are off by millimetres or more, a part of
- * a grid is put elsewhere, limits of a loop exclude each other, a press comes down on a frame.
+ * a grid is put elsewhere, limits of a loop exclude each other, a press comes down on a frame, handles pull a chain too far.
  *
  * If a test here fails, look at closings_bound in direct/component.c, cni_joint_rows_centre in joints/joint_constraint.c, then at is_contradictory
- * and is_squeezed in direct/direct_joints.c.
+ * and is_squeezed in direct/direct_joints.c, at cni_component_is_pulled and, in direct/rattle.c, at pull_fits.
  */
 #include "direct.h"
 
@@ -167,6 +167,48 @@ static void rings_with_impossible_limits_fall_as_soft_ones(void)
 	CHECK_LE("rings of 100 that are faster than with soft constraints", worse, 4, "");
 }
 
+typedef struct pulled {
+	double fastest, gap;
+} pulled;
+
+/* Links of 0.3 to 3 times the weight hang between two handles. These part by 2 to 30% more than they are long, stay there for half a second, and return. */
+static pulled pulled_chain(int32_t solver, uint32_t seed)
+{
+	scene s = scene_open(10.0, 1, solver);
+	int32_t k, links = 2 + (int32_t)(seed % 5u), steps;
+	float angle = fixture_random(&seed, 0.3f, 0.8f), half = 2.0f * LINK * (float)links, low = -half * (float)sin((double)angle);
+	float x = half * (float)cos((double)angle), way = half * fixture_random(&seed, 1.02f, 1.3f) - x, speed = fixture_random(&seed, 0.3f, 4.0f);
+	cn_body left = fixture_body(s.world, CN_BODY_KINEMATIC, -x, 0.0f, 0.0f), right = fixture_body(s.world, CN_BODY_KINEMATIC, x, 0.0f, 0.0f);
+	pulled p = { 0.0, 0.0 };
+	add_chain(&s, left, at(0.0f, 0.0f), -x, 0.0f, -angle, links);
+	add_chain(&s, last_body(&s), at(LINK, 0.0f), 0.0f, low, angle, links);
+	(void)pin(&s, last_body(&s), at(LINK, 0.0f), right, at(0.0f, 0.0f));
+	for (k = 0; k < s.body_count; ++k)
+		weigh(&s, s.bodies[k], (float)pow(10.0, (double)fixture_random(&seed, -0.5f, 0.5f)));
+	steps = (int32_t)(60.0f * way / speed) + 1;
+	for (k = 0; k < 2 * steps + 90; ++k) {
+		float v = k < steps ? speed : k >= steps + 30 && k < 2 * steps + 30 ? -speed : 0.0f;
+		fixture_set_velocity(s.world, left, -v, 0.0f, 0.0f);
+		fixture_set_velocity(s.world, right, v, 0.0f, 0.0f);
+		p.fastest = greater(p.fastest, fastest_in(&s, 1));
+		p.gap = greater(p.gap, anchors_apart(&s));
+	}
+	scene_close(&s);
+	return p;
+}
+
+static void chains_that_are_pulled_too_far_stretch_as_soft_ones(void)
+{
+	int32_t k, fast = 0, wide = 0;
+	for (k = 1; k <= TEST_MANY(60); ++k) {
+		pulled exact = pulled_chain(CN_SOLVER_AUTO, 71u * (uint32_t)k), soft = pulled_chain(CN_SOLVER_SOFT, 71u * (uint32_t)k);
+		fast += exact.fastest > 1.0 + 2.0 * soft.fastest;
+		wide += exact.gap > 0.005 + 2.0 * soft.gap;
+	}
+	CHECK_LE("chains of 60 that are twice as fast as with soft constraints", fast, 2, "");
+	CHECK_LE("chains of 60 whose gaps are twice as wide", wide, 1, "");
+}
+
 int main(int argc, char **argv)
 {
 	test_begin(argc, argv);
@@ -174,5 +216,6 @@ int main(int argc, char **argv)
 	RUN(grids_of_which_a_box_is_put_elsewhere_stay);
 	RUN(frames_come_out_of_a_press);
 	RUN(rings_with_impossible_limits_fall_as_soft_ones);
+	RUN(chains_that_are_pulled_too_far_stretch_as_soft_ones);
 	return test_end();
 }
