@@ -35,6 +35,16 @@ static int32_t turns_fast(const cn_world *world, const cni_solve *s, const cni_j
 	return cni_abs(cni_motions(world)[w->ia].w) > most || cni_abs(cni_motions(world)[w->ib].w) > most;
 }
 
+/* 1: bodies that were struck part so fast at the pin that its impulse will turn them as far. A batch, which solves limits one by one before its pins,
+   would throw them. */
+static int32_t is_struck(const cn_world *world, const cni_solve *s, const cni_joint_constraint *w)
+{
+	const cni_motion *a = cni_motions(world) + w->ia, *b = cni_motions(world) + w->ib;
+	cni_vec2 ra = w->start.ra, rb = w->start.rb;
+	cni_vec2 apart = cni_v(b->vx - b->w * rb.y - a->vx + a->w * ra.y, b->vy + b->w * rb.x - a->vy - a->w * ra.x);
+	return cni_length_sq(apart) > cni_sq(CNI_SNAP_RAD * s->inv_h) * cni_max(cni_length_sq(ra), cni_length_sq(rb));
+}
+
 /* 1: the pin is of a light body on a long arm, beside a heavy one: solutions of batches are not checked. */
 static int32_t may_lose_digits(const cn_world *world, const cni_component *c, const cni_joint_constraint *w)
 {
@@ -46,7 +56,7 @@ static int32_t may_lose_digits(const cn_world *world, const cni_component *c, co
 int32_t cni_component_is_batched(const cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c, int32_t has_heavy)
 {
 	uint32_t parts = 0;
-	int32_t k, fast = has_heavy;
+	int32_t k, fast = has_heavy, struck = 0;
 	if (c->kind == CNI_NONE || c->has_contacts || c->closes_fast)
 		return 0;
 	for (k = c->begin; k < c->end; ++k) {
@@ -57,7 +67,10 @@ int32_t cni_component_is_batched(const cn_world *world, const cni_solve *s, cni_
 			return 0;
 		parts |= w->parts;
 		fast |= turns_fast(world, s, w);
+		struck |= is_struck(world, s, w);
 	}
+	if (parts != 0 && struck)
+		return 0;
 	c->snaps = fast && parts == 0;
 	cni_geometric_stiffness_find_pins(world, sparse, c, s->h);
 	return !cni_geometric_stiffness_needs_dampers(world, sparse, c, s->h);

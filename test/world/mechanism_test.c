@@ -702,6 +702,44 @@ static void nets_of_mixed_joints_are_not_thrown(void)
 	CHECK_LE("... with soft constraints", soft, 0, "");
 }
 
+/* The greatest speed of hinged bars of 0.5 to 50 kg a square metre, whose limits let them turn a little, under blows at their centres, with 30 steps a second. */
+static double struck_bars_speed(int32_t solver, uint32_t seed)
+{
+	scene s = scene_open(0.0, 1, solver);
+	int32_t k, bars = 3 + (int32_t)(seed % 4u);
+	float blow = fixture_random(&seed, 10.0f, 60.0f), room = fixture_random(&seed, 0.1f, 1.5f);
+	double fastest = 0.0;
+	for (k = 0; k < bars; ++k) {
+		cn_body bar = beam(&s, (float)k + 0.5f, 0.0f, 0.0f, 0.5f, 0.04f);
+		cn_revolute_def def = revolute_def(k > 0 ? s.bodies[k - 1] : 0, at(k > 0 ? 0.5f : 0.0f, 0.0f), bar, at(-0.5f, 0.0f));
+		weigh(&s, bar, (float)pow(10.0, (double)fixture_random(&seed, -1.0f, 1.0f)));
+		def.base.flags |= CN_JOINT_LIMIT;
+		def.lower_angle_rad = -fixture_random(&seed, 0.0f, room);
+		def.upper_angle_rad = fixture_random(&seed, 0.0f, room);
+		must(cn_joint_create_revolute(s.world, &def, &s.joints[s.joint_count++]), s.world, "cn_joint_create_revolute");
+	}
+	for (k = 0; k < 60; ++k) {
+		if (k % 15 == 0) {
+			cn_body struck = s.bodies[(uint32_t)fixture_random(&seed, 0.0f, 0.999f * (float)bars)];
+			float impulse = blow * mass_of(s.world, struck).mass_kg, x = fixture_random(&seed, -impulse, impulse);
+			must(cn_body_apply_impulse(s.world, struck, x, fixture_random(&seed, -impulse, impulse)), s.world, "cn_body_apply_impulse");
+		}
+		must(cn_world_step(s.world, 1.0f / 30.0f), s.world, "cn_world_step");
+		fastest = fmax(fastest, fastest_of(&s, s.bodies, s.body_count));
+	}
+	scene_close(&s);
+	return fastest;
+}
+
+static void struck_bars_are_not_thrown(void)
+{
+	int32_t thrown = 0;
+	uint32_t k;
+	for (k = 1; k <= TEST_MANY(400); ++k)
+		thrown += struck_bars_speed(CN_SOLVER_AUTO, 37u * k) > 130.0;
+	CHECK_LE("struck bars that are faster than 130 m/s, of 400", thrown, 0, "");
+}
+
 int main(void)
 {
 	RUN(nets_of_mixed_joints_are_not_thrown);
@@ -718,5 +756,6 @@ int main(void)
 	RUN(what_is_pressed_is_not_thrown);
 	RUN(torn_linkages_close_calmly);
 	RUN(retries_share_the_work_of_a_step);
+	RUN(struck_bars_are_not_thrown);
 	return test_end();
 }
