@@ -5,12 +5,17 @@
  */
 #include "direct/direct_system.h"
 
-void cni_direct_motions_save(const cn_world *world, const cni_sparse *sparse, const cni_component *c, int32_t restore)
+static void motions_copy(const cn_world *world, const cni_sparse *sparse, const cni_component *c, cni_motion *to, int32_t restore)
 {
 	for (int32_t k = c->body_begin; k < c->body_end; ++k) {
-		cni_motion *m = cni_motions(world) + sparse->bodies[k], *saved = sparse->saved + k;
+		cni_motion *m = cni_motions(world) + sparse->bodies[k], *saved = to + k;
 		*(restore ? m : saved) = *(restore ? saved : m);
 	}
+}
+
+void cni_direct_motions_save(const cn_world *world, const cni_sparse *sparse, const cni_component *c, int32_t restore)
+{
+	motions_copy(world, sparse, c, sparse->saved, restore);
 }
 
 void cni_direct_rotations(const cn_world *world, cni_sparse *sparse, const cni_component *c)
@@ -316,15 +321,45 @@ static void sides_save(cni_sparse *sparse, const cni_component *c, int32_t resto
 	}
 }
 
+/* Greatest speed of a body in the motion that closes the gaps. A moving body without mass that holds it may do any work: that of all its bodies
+   at the speed of pushing is allowed. */
+static float closing_most(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	float most = world->settings.push_speed_max, sum = 0.0f;
+	for (int32_t k = c->begin; k < c->end && !c->meets_kinematic; ++k) {
+		const cni_node *n = &sparse->nodes[k];
+		for (int32_t i = 0; i < n->rows && n->owner >= 0; ++i)
+			sum += cni_abs(n->closing[i]) * cni_row_length(world, &cni_joint_constraints(world)[n->owner].rows[i]);
+	}
+	for (int32_t k = c->active ? c->active_first : CNI_NONE; k != CNI_NONE; k = sparse->nodes[k].next_active)
+		sum += cni_max(sparse->nodes[k].target, 0.0f);
+	return c->meets_kinematic ? most : cni_clamp(sum, CNI_WARM_PUSH_PART * most, most);
+}
+
+/*
+ * A motion v that joints stop is P v, with a projection P in the norm of kinetic energy, and one u that closes gaps is orthogonal to all of those. So
+ * kinetic energy grows by no more than that of u. Of a straight row between what holds it nothing is left of v, and rounding, or the second order of
+ * the substep, is answered with any speed across it. 1: it grew by more since these motions were saved.
+ */
+static int32_t gains_energy(const cn_world *world, const cni_sparse *sparse, const cni_component *c, const cni_motion *saved)
+{
+	float closing = closing_most(world, sparse, c), allowed = 0.0f, after = 0.0f;
+	for (int32_t k = c->body_begin; k < c->body_end; ++k) {
+		const cni_motion *m = cni_motions(world) + sparse->bodies[k], *old = saved + k;
+		allowed += (1.0f + CNI_LOOP_ENERGY_PART) * cni_energy_twice(m, old->vx, old->vy, old->w) + cni_inverse_or_zero(m->inv_mass) * closing * closing;
+		after += cni_energy_twice(m, m->vx, m->vy, m->w);
+	}
+	return !(after <= allowed); /* so does NaN */
+}
+
 /*
  * With A = K + C, right sides b and A x = b, the velocity change M^-1 J^T x has twice the kinetic energy x K x <= x A x = x b: no solution
  * exceeds the work of its right sides. A solution that exceeds it was made by pivots that are rounding. Where J u = b, x b <= u M u: no work
  * exceeds that of a stop of all motion, of motors and of all bodies at the greatest closing speed. More closes gaps of contradictory rows.
- * Nor does kinetic energy grow by more than that of the closing, where no row has a bound, at which it may do any work.
  */
 static int32_t is_bounded(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
-	cni_four work = cni_four_all(0.0f), change = work, before = work, after = work;
+	cni_four work = cni_four_all(0.0f), change = work, before = work;
 	float fastest = world->settings.push_speed_max, push = 0.0f, all;
 	for (int32_t k = c->begin; k < c->end; ++k) {
 		const cni_node *n = &sparse->nodes[k];
@@ -338,14 +373,13 @@ static int32_t is_bounded(const cn_world *world, const cni_sparse *sparse, const
 		const cni_motion *m = cni_motions(world) + sparse->bodies[k];
 		float mass = cni_inverse_or_zero(m->inv_mass);
 		cni_four masses = cni_four_of(mass, mass, cni_inverse_or_zero(m->inv_inertia), 0.0f), old = cni_four_load(&sparse->saved[k].vx);
-		cni_four now = cni_four_load(&m->vx), v = cni_four_subtract(now, old);
+		cni_four v = cni_four_subtract(cni_four_load(&m->vx), old);
 		change = cni_four_add(change, cni_four_times(cni_four_times(v, v), masses));
 		before = cni_four_add(before, cni_four_times(cni_four_times(old, old), masses));
-		after = cni_four_add(after, cni_four_times(cni_four_times(now, now), masses));
 		push += mass * fastest * fastest;
 	}
 	all = cni_four_sum(before);
-	if (!c->active && cni_four_sum(after) > 1.001f * all + push)
+	if (!c->active && gains_energy(world, sparse, c, sparse->saved))
 		return 0;
 	return cni_four_sum(work) <= 2.0f * (all + push) && cni_four_sum(change) <= 1.1f * cni_four_sum(work) + 1e-6f * all; /* false for NaN */
 }
@@ -437,18 +471,40 @@ static void sides_renew(const cn_world *world, cni_sparse *sparse, const cni_com
 	}
 }
 
-/* Solves the right sides for impulses with the active set. 0: the solution is not finite. */
+/* Saves the motions of its bodies and the impulses of its rows, or restores them (1). */
+static void set_save(cn_world *world, const cni_sparse *sparse, const cni_component *c, int32_t restore)
+{
+	motions_copy(world, sparse, c, sparse->begun, restore);
+	for (int32_t k = c->begin; k < c->end; ++k) {
+		cni_node *n = &sparse->nodes[k];
+		cni_joint_constraint *w = cni_joint_constraints(world) + n->owner;
+		for (int32_t i = 0; i < CNI_NODE_ROWS; ++i) {
+			int32_t row = i < n->rows ? i : i == 2 ? w->active_row : CNI_NONE;
+			if (row != CNI_NONE)
+				*(restore ? &w->rows[row].impulse : &n->begun[i]) = *(restore ? &n->begun[i] : &w->rows[row].impulse);
+		}
+	}
+}
+
+/* Solves the right sides for impulses with the active set. Sets of limits alone add no energy, although one of their rounds may: a slack rope in the
+   set is pushed until the next. 0: the solution is not finite, or adds energy, of a checked system without motors nothing is changed then. */
 static int32_t set_solve(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c)
 {
+	int32_t checked = c->checked && c->active == 1, solved;
+	if (checked)
+		set_save(world, sparse, c, 0);
 	for (int32_t round = 0;; ++round) {
-		if (!cni_direct_apply(world, sparse, c))
-			return 0;
-		if (round == CNI_JOINT_SET_ROUNDS || !cni_active_change(world, s, sparse, c))
-			return 1;
+		solved = cni_direct_apply(world, sparse, c);
+		if (!solved || round == CNI_JOINT_SET_ROUNDS || !cni_active_change(world, s, sparse, c))
+			break;
 		++c->set_changes;
 		cni_direct_system(world, s, sparse, c);
 		sides_renew(world, sparse, c, round == 0);
 	}
+	solved = solved && !(checked && gains_energy(world, sparse, c, sparse->begun));
+	if (checked && !solved)
+		set_save(world, sparse, c, 1);
+	return solved;
 }
 
 /* The impulse of a row is no part of the next substep's warm start any more. */

@@ -239,6 +239,38 @@ static int32_t is_redundant(cn_world *world, const cni_solve *s, cni_sparse *spa
 	return 0;
 }
 
+/* Speed across a rod or rope that its impulse of a substep gives the lighter of its bodies when it has turned by its motion of a substep, as levers
+   stay until then. 0: less than the speed that turns it, as where it circles. */
+static float speed_across(const cn_world *world, const cni_solve *s, const cni_joint_constraint *w)
+{
+	const cni_motion *a = cni_motions(world) + w->ia, *b = cni_motions(world) + w->ib;
+	cni_vec2 ra = w->start.ra, rb = w->start.rb, axis;
+	float length, impulse = s->warm_scale * cni_abs(w->rows[0].impulse), part;
+	axis = cni_distance_axis(w->start.d, &length);
+	cni_vec2 v = cni_v(b->vx - b->w * rb.y - a->vx + a->w * ra.y, b->vy + b->w * rb.x - a->vy - a->w * ra.x);
+	part = s->h * impulse * cni_max(a->inv_mass, b->inv_mass);
+	return part > length ? part * cni_abs(cni_cross(axis, v)) / cni_max(length, FLT_MIN) : 0.0f;
+}
+
+/*
+ * A loop that its own tension throws. A net that obstacles or moving ends stretch until rows of it are straight bears any tension, which turns with
+ * its rods: where a substep so adds more across them than there is, each adds more. Trusses bear as much, but do not turn. RATTLE takes shorter
+ * substeps.
+ */
+static int32_t is_overstretched(cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c)
+{
+	float most = CNI_WARM_PUSH_PART * world->settings.push_speed_max;
+	if (!c->loops || c->has_contacts || c->uses_rattle)
+		return 0;
+	cni_component_rows_need(world, s, sparse, c);
+	for (int32_t k = c->begin; k < c->end; ++k) {
+		const cni_joint_constraint *w = cni_joint_constraints(world) + sparse->nodes[k].owner;
+		if (w->record->type == CN_JOINT_DISTANCE && speed_across(world, s, w) > most)
+			return 1;
+	}
+	return 0;
+}
+
 /* 1: the body cannot move, and is not static, which is 0. */
 static int32_t is_kinematic(const cn_world *world, int32_t index)
 {
@@ -355,7 +387,7 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 			soften_for(world, out, c, CNI_TRUST_MOST);
 		else if (is_open_loop(world, s, out, c, gap))
 			soften_for(world, out, c, c->uses_rattle ? 0 : CNI_TRUST_MOST);
-		else if (cni_component_is_pulled(world, s, out, c) || is_ill_scaled(world, s, out, c, gap))
+		else if (cni_component_is_pulled(world, s, out, c) || is_ill_scaled(world, s, out, c, gap) || is_overstretched(world, s, out, c))
 			soften_for(world, out, c, 0);
 		else if (c->body_begin == c->body_end)
 			cni_component_release(world, out, c);

@@ -57,7 +57,7 @@ uint64_t cni_direct_bytes(int32_t solver, int32_t joints, int32_t contacts, int3
 {
 	int32_t taken = contacts_taken(solver, contacts), links = joints + taken;
 	int64_t work = work_of(solver, joints, taken);
-	uint64_t link = sizeof(cni_link) + 2 * sizeof(cni_motion) + sizeof(cni_projection) + sizeof(int32_t) + 1;
+	uint64_t link = sizeof(cni_link) + 4 * sizeof(cni_motion) + sizeof(cni_projection) + sizeof(int32_t) + 1;
 	if (links == 0 || solver == CN_SOLVER_SOFT || solver == CN_SOLVER_SEQUENTIAL)
 		return 0;
 	return cni_tree_batch_bytes(joints) + link * (uint64_t)links + (sizeof(cni_direct_contact) + sizeof(int32_t)) * (uint64_t)taken +
@@ -258,6 +258,7 @@ static int32_t scratch_take(cn_world *world, cni_sparse *out, int32_t contacts)
 	uint64_t bodies = (uint64_t)world->awake_count;
 	out->contacts = (cni_direct_contact *)cni_arena_push(arena, sizeof(cni_direct_contact) * (uint64_t)contacts);
 	out->saved = (cni_motion *)cni_arena_push(arena, sizeof(cni_motion) * (uint64_t)out->body_count);
+	out->begun = (cni_motion *)cni_arena_push(arena, sizeof(cni_motion) * (uint64_t)out->body_count);
 	out->pull = (float *)cni_arena_push(arena, sizeof(float) * bodies);
 	out->turn = (cni_rot *)cni_arena_push(arena, sizeof(cni_rot) * bodies);
 	out->projections = (cni_projection *)cni_arena_push(arena, sizeof(cni_projection) * (uint64_t)out->component_count);
@@ -267,7 +268,7 @@ static int32_t scratch_take(cn_world *world, cni_sparse *out, int32_t contacts)
 	if (out->turn != NULL)
 		out->turn[0] = cni_rot_small(0.0f); /* of static bodies */
 	out->heavies = (cni_heavy_contact *)cni_arena_push(arena, sizeof(cni_heavy_contact) * (uint64_t)cni_heavy_contacts_room(world->touching_count, world->awake_joints.count));
-	return out->contacts != NULL && out->heavies != NULL && out->alone != NULL && out->saved != NULL && out->pull != NULL && out->turn != NULL && out->projections != NULL && out->projection_marks != NULL && out->projection_of != NULL;
+	return out->contacts != NULL && out->heavies != NULL && out->alone != NULL && out->saved != NULL && out->begun != NULL && out->pull != NULL && out->turn != NULL && out->projections != NULL && out->projection_marks != NULL && out->projection_of != NULL;
 }
 
 int32_t cni_direct_plan(cn_world *world, cni_sparse *out)

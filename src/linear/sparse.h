@@ -40,6 +40,7 @@ typedef struct cni_node {
 	float closing[CNI_NODE_LANES];     /* of a joint: speeds that correct errors are their negatives; in projections (direct/rattle.c) the solution */
 	float x[CNI_NODE_LANES];           /* right hand side in, solution out; the last is zero */
 	float carried[CNI_NODE_LANES];     /* impulses at the begin of a pass */
+	float begun[CNI_NODE_LANES];       /* ... of a joint: impulses before its active set was solved: direct/component.c */
 	float total[CNI_NODE_LANES];       /* sum of the solutions so far, where there are several; without contacts: speeds of the rows, then targets */
 	float target;                      /* ... target speed of the third row: direct/active_rows.c */
 	int32_t next_active;               /* ... the next node with a motor or limit, CNI_NONE */
@@ -157,6 +158,7 @@ typedef struct cni_sparse {
 	int32_t *heavy_chains;                 /* ... the first group of each island */
 	int32_t heavy_chain_count, heavy_shared_count; /* ... of which workers share the first */
 	cni_motion *saved;            /* by index in bodies */
+	cni_motion *begun;            /* ... before an active set was solved */
 	float *pull;                  /* by dense body: sum(r.f) of its joints; direct/geometric_stiffness.c */
 	cni_rot *turn;                /* by dense body: rotation since the step began */
 } cni_sparse;

@@ -203,9 +203,13 @@ CNI_TUNING_FLOAT(CNI_ILL_PIVOT, 2e-5f)
 /* Radians, or length units. A joint that is farther beyond a limit, at ten times cni_soft_speed_most, is held there by others. */
 CNI_TUNING_FLOAT(CNI_LIMIT_FORCED, 0.01f)
 /* Kinetic energy that the warm start of a loop's joints may bring: so many times the energy without it, and that of all bodies at this part of
-   the speed at which overlaps are pushed apart. */
+   the speed at which overlaps are pushed apart. That part is also what their solution may bring, and the speed across a rod that its tension may add in
+   a substep: nets that are thrown have 100 times as much one step before. Mechanisms with fast rods have up to a few metres a second. */
 CNI_TUNING_FLOAT(CNI_WARM_ENERGY_MOST, 5.0f)
 CNI_TUNING_FLOAT(CNI_WARM_PUSH_PART, 0.5f)
+/* Part by which a solution of a loop's joints may raise kinetic energy beyond that of closing gaps: what compensation of drift adds, and rounding.
+   With any energy that pushing may bring nets that fall over a disc got 7 times theirs in a substep. */
+CNI_TUNING_FLOAT(CNI_LOOP_ENERGY_PART, 0.01f)
 /* Part of a diagonal below which a pivot has the solutions of a tree checked: light bodies between heavy ones, or on arms longer than they. What of such
    a tree has opened while it was soft stays soft until it is closed. */
 CNI_TUNING_FLOAT(CNI_CHECKED_PIVOT, 1e-3f)
