@@ -178,7 +178,7 @@ static void dragged_nets_are_not_thrown(void)
 		fastest = greater(fastest, drag_speed(&n, &random, &gap));
 		cn_world_destroy(n.world);
 	}
-	CHECK_LE("greatest speed of a node (soft constraints 22.8)", fastest, 30.0, "m/s");
+	CHECK_LE("greatest speed of a node (soft constraints 22.8)", fastest, 34.2, "m/s"); /* 1.5 times theirs */
 	CHECK_LE("widest gap of a rod (soft constraints 0.33)", gap, 0.4, "m");
 }
 
