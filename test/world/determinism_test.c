@@ -28,7 +28,7 @@ static const golden goldens[] = {
 	{ "small_200", 300, 1, 0xe216f521a4dfe85e },
 	{ "small_50_sleep", 600, 1, 0x9a4e05f82fde73b7 },
 	{ "dominoes", 400, 1, 0x7410bcc4c51d0675 },
-	{ "ragdolls", 480, 1, 0x67ef0f00fb6bd292 },
+	{ "ragdolls", 480, 1, 0x88d9850362719813 },
 	{ "bridge", 240, 1, 0x405f86f0ffbe711a },
 	{ "car", 400, 1, 0xbf1324cb299ea93a },
 	{ "mixer", 240, 1, 0xde7da2c3de756885 },
