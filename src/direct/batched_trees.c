@@ -39,10 +39,8 @@ static int32_t turns_fast(const cn_world *world, const cni_solve *s, const cni_j
    would throw them. */
 static int32_t is_struck(const cn_world *world, const cni_solve *s, const cni_joint_constraint *w)
 {
-	const cni_motion *a = cni_motions(world) + w->ia, *b = cni_motions(world) + w->ib;
-	cni_vec2 ra = w->start.ra, rb = w->start.rb;
-	cni_vec2 apart = cni_v(b->vx - b->w * rb.y - a->vx + a->w * ra.y, b->vy + b->w * rb.x - a->vy - a->w * ra.x);
-	return cni_length_sq(apart) > cni_sq(CNI_SNAP_RAD * s->inv_h) * cni_max(cni_length_sq(ra), cni_length_sq(rb));
+	float arm_sq = cni_max(cni_length_sq(w->start.ra), cni_length_sq(w->start.rb));
+	return cni_length_sq(cni_joint_velocity_apart(world, w)) > cni_sq(CNI_SNAP_RAD * s->inv_h) * arm_sq;
 }
 
 /* 1: the pin is of a light body on a long arm, beside a heavy one: solutions of batches are not checked. */

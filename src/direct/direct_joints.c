@@ -244,12 +244,9 @@ static int32_t is_redundant(cn_world *world, const cni_solve *s, cni_sparse *spa
 static float speed_across(const cn_world *world, const cni_solve *s, const cni_joint_constraint *w)
 {
 	const cni_motion *a = cni_motions(world) + w->ia, *b = cni_motions(world) + w->ib;
-	cni_vec2 ra = w->start.ra, rb = w->start.rb, axis;
-	float length, impulse = s->warm_scale * cni_abs(w->rows[0].impulse), part;
-	axis = cni_distance_axis(w->start.d, &length);
-	cni_vec2 v = cni_v(b->vx - b->w * rb.y - a->vx + a->w * ra.y, b->vy + b->w * rb.x - a->vy - a->w * ra.x);
-	part = s->h * impulse * cni_max(a->inv_mass, b->inv_mass);
-	return part > length ? part * cni_abs(cni_cross(axis, v)) / cni_max(length, FLT_MIN) : 0.0f;
+	float length, part = s->h * s->warm_scale * cni_abs(w->rows[0].impulse) * cni_max(a->inv_mass, b->inv_mass);
+	cni_vec2 axis = cni_distance_axis(w->start.d, &length);
+	return part > length ? part * cni_abs(cni_cross(axis, cni_joint_velocity_apart(world, w))) / cni_max(length, FLT_MIN) : 0.0f;
 }
 
 /*
@@ -345,14 +342,14 @@ static void pending_begin(cn_world *world, const cni_solve *s, cni_component *c,
 	c->pending = 0;
 }
 
-/* The component of each body, until cni_projection_mark. */
+/* The component of each body. */
 static void components_number(const cn_world *world, const cni_sparse *sparse)
 {
 	for (int32_t k = 0; k < world->awake_count; ++k)
-		sparse->projection_of[k] = CNI_NONE;
+		sparse->component_of[k] = CNI_NONE;
 	for (int32_t k = 0; k < sparse->component_count; ++k)
 		for (int32_t i = sparse->components[k].body_begin; i < sparse->components[k].body_end; ++i)
-			sparse->projection_of[sparse->bodies[i]] = k;
+			sparse->component_of[sparse->bodies[i]] = k;
 }
 
 void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)

@@ -263,12 +263,12 @@ static int32_t scratch_take(cn_world *world, cni_sparse *out, int32_t contacts)
 	out->turn = (cni_rot *)cni_arena_push(arena, sizeof(cni_rot) * bodies);
 	out->projections = (cni_projection *)cni_arena_push(arena, sizeof(cni_projection) * (uint64_t)out->component_count);
 	out->projection_marks = (cni_marked_lanes *)cni_arena_push(arena, 2 * sizeof(cni_marked_lanes) * (uint64_t)world->touching_count); /* each at two bodies */
-	out->projection_of = (int32_t *)cni_arena_push(arena, sizeof(int32_t) * bodies);
+	out->component_of = (int32_t *)cni_arena_push(arena, sizeof(int32_t) * bodies);
 	out->alone = (int32_t *)cni_arena_push(arena, sizeof(int32_t) * (uint64_t)out->component_count);
 	if (out->turn != NULL)
 		out->turn[0] = cni_rot_small(0.0f); /* of static bodies */
 	out->heavies = (cni_heavy_contact *)cni_arena_push(arena, sizeof(cni_heavy_contact) * (uint64_t)cni_heavy_contacts_room(world->touching_count, world->awake_joints.count));
-	return out->contacts != NULL && out->heavies != NULL && out->alone != NULL && out->saved != NULL && out->begun != NULL && out->pull != NULL && out->turn != NULL && out->projections != NULL && out->projection_marks != NULL && out->projection_of != NULL;
+	return out->contacts != NULL && out->heavies != NULL && out->alone != NULL && out->saved != NULL && out->begun != NULL && out->pull != NULL && out->turn != NULL && out->projections != NULL && out->projection_marks != NULL && out->component_of != NULL;
 }
 
 int32_t cni_direct_plan(cn_world *world, cni_sparse *out)

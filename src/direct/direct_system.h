@@ -43,6 +43,13 @@ static inline cni_four cni_node_base_speed(const cni_node *n, const cni_motion *
 float cni_component_bases_ask(const cn_world *world, cni_sparse *sparse, const cni_component *c);
 /* 1: a loop that is so nearly straight between moving ends that some of its bodies would have to be far faster than these. */
 int32_t cni_component_is_pulled(cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c);
+/* Velocity of the second body's anchor seen from the first's. */
+static inline cni_vec2 cni_joint_velocity_apart(const cn_world *world, const cni_joint_constraint *w)
+{
+	const cni_motion *a = cni_motions(world) + w->ia, *b = cni_motions(world) + w->ib;
+	cni_vec2 ra = w->start.ra, rb = w->start.rb;
+	return cni_v(b->vx - b->w * rb.y - a->vx + a->w * ra.y, b->vy + b->w * rb.x - a->vy - a->w * ra.x);
+}
 /* Builds the rows of its joints that have none yet. */
 void cni_component_rows_need(cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c);
 /* 1: only the component's rigid joints constrain its bodies in this step. */

@@ -123,7 +123,7 @@ static void body_contacts_list(const cn_world *world, const cni_solve *s, cni_sp
 		--left;
 		if (single && (light || !is_free(world, other->awake)))
 			continue;
-		light = light && !(slow && sparse->projection_of[other->awake] == component && lists(world, index, other->awake));
+		light = light && !(slow && sparse->component_of[other->awake] == component && lists(world, index, other->awake));
 		light = light && (sparse->heavy_count >= CNI_HEAVY_CONTACTS_FREE || !is_squeezed(world, s, key >> 1, index, other->awake));
 		if ((light && *cni_heavy_restitution(world, key >> 1) <= 0.0f) || cni_direct_lane_is_locked(world, c))
 			continue;

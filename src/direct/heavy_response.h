@@ -50,7 +50,7 @@ static inline float cni_heavy_inverse_mass(const cni_heavy_pass *q, int32_t cont
 /* 1: both of its bodies are of the component. */
 static inline int32_t cni_heavy_is_inner(const cni_heavy_pass *q, int32_t contact)
 {
-	return q->sparse->projection_of[q->points[contact].ia] == q->sparse->projection_of[q->points[contact].ib];
+	return q->sparse->component_of[q->points[contact].ia] == q->sparse->component_of[q->points[contact].ib];
 }
 
 /* Reads the lanes of a group's contacts. */

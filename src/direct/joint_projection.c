@@ -23,10 +23,7 @@ void cni_projection_mark(cni_sparse *sparse)
 	memset(sparse->projections, 0, sizeof(cni_projection) * (size_t)sparse->component_count);
 	for (int32_t k = 0; k < sparse->component_count; ++k) {
 		const cni_component *c = &sparse->components[k];
-		int32_t unlisted = c->done || c->has_contacts || c->touched == 0;
-		for (int32_t i = c->body_begin; i < c->body_end; ++i)
-			sparse->projection_of[sparse->bodies[i]] = unlisted ? CNI_NONE : k;
-		if (unlisted)
+		if (c->done || c->has_contacts || c->touched == 0)
 			continue;
 		sparse->projections[k].listed = 1;
 		sparse->projections[k].mark_begin = CNI_NONE;
@@ -108,8 +105,10 @@ static void drifts_add(const cn_world *world, const cni_solve *s, const cni_comp
 static void mark_add(const cn_world *world, cni_sparse *sparse, int32_t component, int32_t slot)
 {
 	const cni_contact_block *block = cni_block_at(world, slot / CNI_LANES);
-	int32_t a = sparse->projection_of[block->ia[slot % CNI_LANES]], b = sparse->projection_of[block->ib[slot % CNI_LANES]], other = a == component ? b : a;
+	int32_t a = sparse->component_of[block->ia[slot % CNI_LANES]], b = sparse->component_of[block->ib[slot % CNI_LANES]], other = a == component ? b : a;
 	cni_marked_lanes *end = sparse->projection_marks + sparse->projection_mark_count, *m = sparse->projection_marks + sparse->projections[component].mark_begin;
+	if (other != CNI_NONE && !sparse->projections[other].listed)
+		other = CNI_NONE;
 	for (m = end - m > MARKS_LOOKED_AT ? end - MARKS_LOOKED_AT : m; m < end && (m->block != slot / CNI_LANES || m->other != other); ++m)
 		;
 	if (m == end) {

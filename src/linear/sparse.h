@@ -150,7 +150,7 @@ typedef struct cni_sparse {
 	int32_t projection_count;             /* components of which it is used */
 	cni_marked_lanes *projection_marks; /* the contacts of each projection's bodies */
 	int32_t projection_mark_count;
-	int32_t *projection_of;           /* by dense body: its component, or CNI_NONE; after cni_projection_mark if contacts may open it */
+	int32_t *component_of;            /* by dense body: its component, or CNI_NONE */
 	struct cni_heavy_contact *heavies;   /* direct/heavy_contacts.c */
 	int32_t heavy_count;
 	struct cni_heavy_group *heavy_groups;  /* ... by component */
