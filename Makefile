@@ -40,10 +40,10 @@ WERROR ?= -Werror
 ifeq ($(origin CC),default)
 CC := gcc
 endif
-# Tests take the user's CFLAGS if there are any, else a build that compiles soon and knows its lines (TEST_CFLAGS='-O0 -g': variables too).
+# Tests take the user's CFLAGS if there are any, else a build that compiles soon (TEST_CFLAGS='-O0 -g': for a debugger).
 # OWN_CFLAGS: for the tests and the examples that they use, whose compilation takes 0.4 of the time without optimization.
 ifndef TEST_CFLAGS
-TEST_CFLAGS := $(if $(CFLAGS),$(CFLAGS),-O2 -g1)
+TEST_CFLAGS := $(if $(CFLAGS),$(CFLAGS),-O2)
 OWN_CFLAGS := $(if $(CFLAGS),,-O0)
 endif
 TEST_DEFINES ?= -DCNI_DEBUG

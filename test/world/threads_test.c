@@ -88,7 +88,7 @@ static uint64_t run_digest(cn_world *world, int32_t steps)
 #ifdef TEST_SLOW
 #define STEPS 20
 #else
-#define STEPS 60
+#define STEPS 40
 #endif
 
 static uint64_t crowd_digest(const cn_world_def *def, int32_t steps)
