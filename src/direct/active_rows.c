@@ -7,11 +7,14 @@
  *
  * The bounds of these rows make a complementarity problem, which an active set solves. All rows of the set are solved exactly. A row beyond
  * its bound is clamped to it and leaves the set. A row outside the set returns if its speed error has the sign to which it can push. Then
- * the system is solved again. After CNI_JOINT_SET_ROUNDS changes the last set is accepted. The set is kept from pass to pass, so most
- * passes take one round.
+ * the system is solved again. After CNI_JOINT_SET_ROUNDS changes (with motors CNI_MOTOR_SET_ROUNDS) the last set is accepted. The set is kept
+ * from pass to pass, so most passes take one round.
  *
- * A joint has one such row: its limit when the limit is near, otherwise its motor. The other row is solved by joints/joint_solve.c, like
- * springs. A rope, which is a distance joint with limits alone, has this row and no other. It is planned while it may become taut.
+ * A joint has one such row: its limit when the limit is near, otherwise its motor. Where both act along one coordinate they take turns: the motor,
+ * whose target does not pass the limit, and the limit while the motor is at its bound and does not hold it. The other row keeps its impulse
+ * meanwhile. A wheel's motor and limit act along two coordinates; there the motor is solved by joints/joint_solve.c, like springs. A rope, which
+ * is a distance joint with limits alone, and a cylinder, a distance joint with a motor, have this row and no other. A rope is planned while it may
+ * become taut.
  *
  * Reads joint constraints, motion; writes their rows and `active_row`, nodes' third rows, motion velocities.
  */
@@ -50,23 +53,26 @@ static float missing_speed(const cn_world *world, const cni_node *n, const cni_r
 
 /* ---- which rows ---- */
 
-/* Index of the chosen row in the joint constraint. */
-static int32_t row_choose(const cn_world *world, const cni_joint_constraint *w, float dt)
+/* Chooses the rows of the joint constraint: a limit that is near, or a motor; where they act along one coordinate the motor, with the limit beside
+   it, unless the limit bore something. */
+static void rows_choose(const cn_world *world, cni_joint_constraint *w, float dt)
 {
-	int32_t k, chosen = CNI_NONE;
+	int32_t k, motor = CNI_NONE, limit = CNI_NONE, paired;
 	for (k = w->rigid_count; k < w->row_count; ++k) {
 		if (w->rows[k].kind == CNI_ROW_MOTOR && w->rows[k].limit > 0.0f)
-			chosen = k;
+			motor = k;
 		if (w->rows[k].kind == CNI_ROW_LIMIT && cni_limit_is_near(world, w, k, dt))
-			return k;
+			limit = k;
 	}
-	return chosen;
+	paired = motor != CNI_NONE && limit != CNI_NONE && w->rows[motor].angular == w->rows[limit].angular;
+	w->active_row = limit == CNI_NONE || (paired && w->rows[limit].impulse <= 0.0f) ? motor : limit;
+	w->idle_row = !paired ? CNI_NONE : w->active_row == motor ? limit : motor;
 }
 
-/* Initial state from the impulse of the last step. */
-static uint32_t state_begin(const cni_row *r, const cni_solve *s)
+/* State of a row with this impulse. */
+static uint32_t state_of(const cni_row *r, const cni_solve *s, float impulse)
 {
-	float impulse = s->warm_scale * r->impulse, most = impulse_most(r, s);
+	float most = impulse_most(r, s);
 	if (r->kind == CNI_ROW_LIMIT)
 		return impulse > 0.0f ? CNI_ROW_IN_SET : 0;
 	if (cni_abs(impulse) < 0.999f * most)
@@ -80,12 +86,13 @@ int32_t cni_active_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
 		cni_joint_constraint *w = n->owner >= 0 ? &cni_joint_constraints(world)[n->owner] : NULL;
-		int32_t row = w == NULL || n->rows == CNI_NODE_ROWS ? CNI_NONE : row_choose(world, w, s->dt);
-		if (row == CNI_NONE)
+		if (w == NULL || n->rows == CNI_NODE_ROWS)
 			continue;
-		w->active_row = row;
-		n->active = state_begin(&w->rows[row], s);
-		found = cni_max_i(found, w->rows[row].kind == CNI_ROW_MOTOR ? 2 : 1);
+		rows_choose(world, w, s->dt);
+		if (w->active_row == CNI_NONE)
+			continue;
+		n->active = state_of(&w->rows[w->active_row], s, s->warm_scale * w->rows[w->active_row].impulse); /* of the last step */
+		found = cni_max_i(found, w->idle_row != CNI_NONE || w->rows[w->active_row].kind == CNI_ROW_MOTOR ? 2 : 1);
 		*last = k;
 		last = &n->next_active;
 	}
@@ -155,7 +162,7 @@ void cni_active_right_sides(const cn_world *world, const cni_solve *s, cni_spars
 		cni_node *n = &sparse->nodes[k];
 		const cni_row *r = active_row(world, n);
 		n->target = target_speed(world, r, s, bias);
-		if (bias && c->loops && n->rows == 0) /* a rope has the leak of rows (direct/component.c) */
+		if (bias && c->loops && n->rows == 0 && r->kind == CNI_ROW_LIMIT) /* a rope has the leak of rows (direct/component.c) */
 			n->target -= CNI_DIRECT_LEAK * n->diagonal[2] * r->impulse;
 		if (n->active & CNI_ROW_IN_SET)
 			n->x[2] = missing_speed(world, n, r);
@@ -166,33 +173,58 @@ float cni_active_rope_missing(const cn_world *world, const cni_sparse *sparse, c
 {
 	float most = 0.0f;
 	for (int32_t k = c->active_first; k != CNI_NONE; k = sparse->nodes[k].next_active)
-		if (sparse->nodes[k].rows == 0)
+		if (sparse->nodes[k].rows == 0 && active_row(world, &sparse->nodes[k])->kind == CNI_ROW_LIMIT)
 			most = cni_max(most, missing_speed(world, &sparse->nodes[k], active_row(world, &sparse->nodes[k])));
 	return most;
 }
 
 /* ---- the set ---- */
 
-int32_t cni_active_change(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c)
+/* Does the row leave the set, clamped to its bound, or return? */
+static int32_t state_change(const cn_world *world, const cni_solve *s, cni_node *n)
+{
+	cni_row *r = active_row(world, n);
+	float most = impulse_most(r, s), least = r->kind == CNI_ROW_MOTOR ? -most : 0.0f, bounded = cni_clamp(r->impulse, least, most);
+	if (n->active & CNI_ROW_IN_SET) {
+		if (r->impulse >= least && r->impulse <= most)
+			return 0;
+		n->active = r->impulse > most ? CNI_ROW_AT_UPPER : 0u;
+		cni_lever_push(&r->lever, bounded - r->impulse, cni_motions(world) + n->ia, cni_motions(world) + n->ib);
+		r->impulse = bounded;
+	} else {
+		float missing = missing_speed(world, n, r);
+		if (n->active & CNI_ROW_AT_UPPER ? missing >= 0.0f : missing <= 0.0f)
+			return 0;
+		n->active = CNI_ROW_IN_SET;
+	}
+	return 1;
+}
+
+/* Of a row outside of the set that has one beside it: a limit that let go gives way to its motor, and a motor at its bound to the limit that it does
+   not hold. */
+static int32_t rows_swap(const cn_world *world, const cni_solve *s, cni_node *n, int32_t bias)
+{
+	cni_joint_constraint *w = &cni_joint_constraints(world)[n->owner];
+	int32_t active = w->active_row;
+	const cni_row *idle = w->idle_row == CNI_NONE ? NULL : &w->rows[w->idle_row];
+	if (idle == NULL || (n->active & CNI_ROW_IN_SET))
+		return 0;
+	float target = target_speed(world, idle, s, bias);
+	if (idle->kind == CNI_ROW_LIMIT && cni_lever_speed(&idle->lever, cni_motions(world) + n->ia, cni_motions(world) + n->ib) >= target)
+		return 0;
+	n->active = idle->kind == CNI_ROW_LIMIT ? CNI_ROW_IN_SET : state_of(idle, s, idle->impulse);
+	n->target = target;
+	w->active_row = w->idle_row;
+	w->idle_row = active;
+	return 1;
+}
+
+int32_t cni_active_change(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c, int32_t bias)
 {
 	int32_t k, changed = 0;
 	for (k = c->active_first; k != CNI_NONE; k = sparse->nodes[k].next_active) {
-		cni_node *n = &sparse->nodes[k];
-		cni_row *r = active_row(world, n);
-		float most = impulse_most(r, s), least = r->kind == CNI_ROW_MOTOR ? -most : 0.0f, bounded = cni_clamp(r->impulse, least, most);
-		if (n->active & CNI_ROW_IN_SET) {
-			if (r->impulse >= least && r->impulse <= most)
-				continue;
-			n->active = r->impulse > most ? CNI_ROW_AT_UPPER : 0u;
-			cni_lever_push(&r->lever, bounded - r->impulse, cni_motions(world) + n->ia, cni_motions(world) + n->ib);
-			r->impulse = bounded;
-		} else {
-			float missing = missing_speed(world, n, r);
-			if (n->active & CNI_ROW_AT_UPPER ? missing >= 0.0f : missing <= 0.0f)
-				continue;
-			n->active = CNI_ROW_IN_SET;
-		}
-		changed = 1;
+		changed |= state_change(world, s, &sparse->nodes[k]);
+		changed |= rows_swap(world, s, &sparse->nodes[k], bias);
 	}
 	return changed;
 }

@@ -49,7 +49,7 @@ void cni_component_release(cn_world *world, cni_sparse *sparse, cni_component *c
 	for (int32_t k = c->begin; k < c->end; ++k)
 		if (sparse->nodes[k].owner >= 0) {
 			cni_joint_constraints(world)[sparse->nodes[k].owner].flags &= ~(uint32_t)CNI_CONSTRAINT_DIRECT;
-			cni_joint_constraints(world)[sparse->nodes[k].owner].active_row = CNI_NONE;
+			cni_joint_constraints(world)[sparse->nodes[k].owner].active_row = cni_joint_constraints(world)[sparse->nodes[k].owner].idle_row = CNI_NONE;
 		}
 	c->uses_rattle = 0;
 	c->done = 1;
@@ -488,14 +488,14 @@ static void set_save(cn_world *world, const cni_sparse *sparse, const cni_compon
 
 /* Solves the right sides for impulses with the active set. Sets of limits alone add no energy, although one of their rounds may: a slack rope in the
    set is pushed until the next. 0: the solution is not finite, or adds energy, of a checked system without motors nothing is changed then. */
-static int32_t set_solve(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c)
+static int32_t set_solve(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c, int32_t bias)
 {
-	int32_t checked = c->checked && c->active == 1, solved;
+	int32_t checked = c->checked && c->active == 1, rounds = c->active == 1 ? CNI_JOINT_SET_ROUNDS : CNI_MOTOR_SET_ROUNDS, solved;
 	if (checked)
 		set_save(world, sparse, c, 0);
 	for (int32_t round = 0;; ++round) {
 		solved = cni_direct_apply(world, sparse, c);
-		if (!solved || round == CNI_JOINT_SET_ROUNDS || !cni_active_change(world, s, sparse, c))
+		if (!solved || round == rounds || !cni_active_change(world, s, sparse, c, bias))
 			break;
 		++c->set_changes;
 		cni_direct_system(world, s, sparse, c);
@@ -591,9 +591,9 @@ void cni_component_give_up(cn_world *world, cni_sparse *sparse, cni_component *c
 	c->pending = 0;
 }
 
-void cni_component_solve(cn_world *world, const cni_solve *s, cni_component *c)
+void cni_component_solve(cn_world *world, const cni_solve *s, cni_component *c, int32_t bias)
 {
-	if (!(c->active ? set_solve(world, s, s->direct, c) : cni_direct_apply(world, s->direct, c)))
+	if (!(c->active ? set_solve(world, s, s->direct, c, bias) : cni_direct_apply(world, s->direct, c)))
 		c->pending = CNI_FAILED_JOINTS;
 }
 
@@ -606,6 +606,6 @@ int32_t cni_component_lock(cn_world *world, const cni_solve *s, cni_component *c
 	if (!cni_direct_apply(world, s->direct, c))
 		c->pending = CNI_FAILED_JOINTS;
 	else if (c->active)
-		(void)cni_active_change(world, s, s->direct, c); /* bounds alone: the system of another set has no locks */
+		(void)cni_active_change(world, s, s->direct, c, 1); /* bounds alone: the system of another set has no locks */
 	return 1;
 }

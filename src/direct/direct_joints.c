@@ -55,7 +55,10 @@ static float gap_of(const cni_joint_constraint *w, uint32_t torn)
 		return FLT_MAX;
 	switch (w->record->type) {
 	case CN_JOINT_REVOLUTE: case CN_JOINT_FIXED: return cni_length(w->start.d);
-	case CN_JOINT_DISTANCE: return cni_joint_is_rope(w->record) ? cni_max(cni_length(w->start.d) - w->record->p[CNI_P_UPPER], 0.0f) : cni_abs(cni_length(w->start.d) - w->record->p[CNI_P_LENGTH]);
+	case CN_JOINT_DISTANCE:
+		if (cni_joint_is_rope(w->record))
+			return cni_max(cni_length(w->start.d) - w->record->p[CNI_P_UPPER], 0.0f);
+		return w->rigid_count > 0 ? cni_abs(cni_length(w->start.d) - w->record->p[CNI_P_LENGTH]) : 0.0f;
 	default: return w->rigid_count > 0 && !w->rows[0].angular ? cni_abs(w->rows[0].error) : 0.0f;
 	}
 }
@@ -262,7 +265,7 @@ static int32_t is_overstretched(cn_world *world, const cni_solve *s, const cni_s
 	cni_component_rows_need(world, s, sparse, c);
 	for (int32_t k = c->begin; k < c->end; ++k) {
 		const cni_joint_constraint *w = cni_joint_constraints(world) + sparse->nodes[k].owner;
-		if (w->record->type == CN_JOINT_DISTANCE && speed_across(world, s, w) > most)
+		if (w->record->type == CN_JOINT_DISTANCE && !cni_joint_is_cylinder(w->record) && speed_across(world, s, w) > most)
 			return 1;
 	}
 	return 0;
@@ -314,12 +317,15 @@ static void rattle_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse
 	c->uses_rattle = !c->pending;
 }
 
-/* The passes of a substep; a single joint with the world needs them for heavy contacts alone. */
+/* The passes of a substep; a single joint with the world needs them for heavy contacts alone. One that is left of a mechanism bore what held the whole
+   together. */
 static void passes_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, int32_t component)
 {
 	cni_component *c = &sparse->components[component];
-	int32_t single = cni_component_is_single(c), has_heavy = single && c->has_ropes ? 0 : cni_heavy_contacts_list(world, s, sparse, component);
+	int32_t single = cni_component_is_single(c), has_heavy = single && sparse->nodes[c->begin].rows == 0 ? 0 : cni_heavy_contacts_list(world, s, sparse, component);
 	if (single && !has_heavy) {
+		if (cni_joint_constraints(world)[sparse->nodes[c->begin].owner].record->trust.direct)
+			impulses_soften(world, sparse, c);
 		cni_component_release(world, sparse, c);
 		return;
 	}
@@ -441,7 +447,7 @@ static void component_pass(cn_world *world, const cni_solve *s, cni_component *c
 		if (bias)
 			cni_component_start(world, s->direct, c);
 		cni_direct_right_sides(world, s, c, bias);
-		cni_component_solve(world, s, c);
+		cni_component_solve(world, s, c, bias);
 	}
 	if (bias && c->kind == CNI_NONE && !c->active) /* not arms at their limits, which would throw what lands on them */
 		(void)cni_component_lock(world, s, c, CNI_SNAP_RAD);

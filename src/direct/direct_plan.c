@@ -1,7 +1,7 @@
 /*
  * direct/direct_plan.c - plans the direct solver's components of a step as links of linear/sparse.h, and bounds its scratch memory.
  *
- * Joints with rigid rows that nothing bounds or softens are nodes, and so are taut ropes; those that share bodies form components.
+ * Joints with rigid rows that nothing bounds or softens are nodes, and so are taut ropes and cylinders; those that share bodies form components.
  * CN_SOLVER_AUTO takes trees and components with few loops, whose factorization costs about as much as a pass over their joints; large nets
  * stay soft. CN_SOLVER_DIRECT takes all. Contacts are those of the islands that direct/solver_selection.c chose.
  *
@@ -208,6 +208,15 @@ static int32_t is_costly(const cn_world *world, const cni_sparse *sparse, const 
 	       !joint_has_full_work(world, cni_joint_constraints(world) + sparse->nodes[c->begin].owner) && !cni_component_is_braced(c, cni_component_held(world, sparse, c));
 }
 
+/* Nodes without rows of their own are ropes or cylinders. */
+static int16_t ropes_are_in(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	for (int32_t k = c->begin; k < c->end; ++k)
+		if (sparse->nodes[k].owner >= 0 && cni_joint_is_rope(cni_joint_constraints(world)[sparse->nodes[k].owner].record))
+			return 1;
+	return 0;
+}
+
 static void costly_release(cn_world *world, cni_sparse *sparse, cni_component *c)
 {
 	for (int32_t k = c->begin; k < c->end; ++k)
@@ -304,6 +313,7 @@ int32_t cni_direct_plan(cn_world *world, cni_sparse *out)
 	for (int32_t k = 0; k < out->component_count; ++k) {
 		cni_component *c = &out->components[k];
 		c->has_contacts = c->joints < c->end - c->begin;
+		c->has_ropes = c->has_ropes && ropes_are_in(world, out, c);
 		contacts_read(world, contacts, out, c);
 		if (is_costly(world, out, c))
 			costly_release(world, out, c);

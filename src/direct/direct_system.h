@@ -79,7 +79,7 @@ static inline float cni_energy_twice(const cni_motion *m, float vx, float vy, fl
 /* The mass of its bodies that can move. */
 float cni_component_mass(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
 /* Solves for the impulses and applies them; on failure the joints become soft by cni_component_give_up. */
-void cni_component_solve(cn_world *world, const cni_solve *s, cni_component *c);
+void cni_component_solve(cn_world *world, const cni_solve *s, cni_component *c, int32_t bias);
 /* What a component failed at in a loop that workers share: solutions of its joints, or through them those of contacts alone. */
 enum { CNI_FAILED_JOINTS = 1, CNI_FAILED_CONTACTS = 2 };
 /* Takes the warm start of its joints back where it would bring far more energy than there is. */
@@ -146,7 +146,7 @@ void cni_active_right_sides(const cn_world *world, const cni_solve *s, cni_spars
 /* After that: the most that the speed of a rope lacks of its target. */
 float cni_active_rope_missing(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
 /* Rows beyond their bound leave the set, others return. Returns 1 when the set has changed. */
-int32_t cni_active_change(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c);
+int32_t cni_active_change(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c, int32_t bias);
 /* Adds the solution to the impulses of the rows in the set. */
 void cni_active_impulses_add(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
 

@@ -186,7 +186,7 @@ static void component_project(cn_world *world, const cni_solve *s, cni_component
 	p->opening = is_opening(world, s, c);
 	if (!p->opening)
 		return;
-	cni_component_solve(world, s, c);
+	cni_component_solve(world, s, c, 1);
 	(void)cni_component_lock(world, s, c, CNI_BUCKLE_RAD);
 }
 

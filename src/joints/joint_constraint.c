@@ -310,7 +310,7 @@ void cni_joint_constraint_begin(cn_world *world, const cni_solve *s, int32_t k, 
 	w->joint = ((const int32_t *)world->awake_joints.data)[k];
 	w->lane = CNI_NONE;
 	w->form = CNI_FORM_NONE;
-	w->active_row = CNI_NONE;
+	w->active_row = w->idle_row = CNI_NONE;
 	w->ia = j->body[0] == CNI_NONE ? 0 : cni_body_at(world, j->body[0])->awake;
 	w->ib = j->body[1] == CNI_NONE ? 0 : cni_body_at(world, j->body[1])->awake;
 	w->flags = constraint_flags(world, j);
@@ -359,6 +359,8 @@ void cni_joint_rope_mark(const cn_world *world, cni_joint_constraint *w, float d
 	const cni_joint *j = w->record;
 	const cni_motion *a = cni_motions(world) + w->ia, *b = cni_motions(world) + w->ib;
 	float length, speed, near;
+	if (CNI_ON(ACTIVE_ROWS) && cni_joint_is_cylinder(j))
+		w->flags |= CNI_CONSTRAINT_TAUT;
 	if (!CNI_ON(DIRECT_ROPES) || !cni_joint_is_rope(j))
 		return;
 	cni_vec2 axis = cni_distance_axis(w->start.d, &length);

@@ -16,7 +16,7 @@ enum {
 	CNI_CONSTRAINT_DIRECT = 1u << 4,    /* its rigid rows are solved with its neighbours': direct/direct_joints.c */
 	CNI_CONSTRAINT_FINISHED = 1u << 5,  /* its whole step is done: direct/rattle.c */
 	CNI_CONSTRAINT_BATCHED = 1u << 6,   /* in a lane of a batch, with its pin: direct/batched_trees.c */
-	CNI_CONSTRAINT_TAUT = 1u << 7,      /* a rope whose limit may be solved with its neighbours' rows: direct/active_rows.c */
+	CNI_CONSTRAINT_TAUT = 1u << 7,      /* a rope whose limit, or a cylinder whose motor, may be solved with its neighbours' rows: direct/active_rows.c */
 	CNI_CONSTRAINT_LOCK_A = 1u << 8,    /* body a has this locked axis: its CN_BODY_LOCK_X and _Y flags from here on */
 	CNI_CONSTRAINT_LOCK_B = 1u << 10,
 	CNI_CONSTRAINT_LOCKS = 15u << 8,
@@ -54,6 +54,7 @@ typedef struct cni_joint_constraint {
 	int32_t rigid_count;       /* the first rows: rigid or drive */
 	int32_t next_plain;        /* the next joint constraint that is solved by rows */
 	int32_t active_row;        /* index of the motor or limit row that is solved with the rigid rows: direct/active_rows.c; CNI_NONE: none */
+	int32_t idle_row;          /* ... the motor or limit row along the same coordinate, which keeps its impulse meanwhile; CNI_NONE: none */
 	int32_t lane;              /* block * CNI_LANES + lane, CNI_NONE: solved by rows */
 	int32_t form;              /* CNI_FORM_*; with one, rows are built only if it is solved directly or gets no lane */
 	cni_joint_frame start;     /* at the beginning of the step */
@@ -73,7 +74,12 @@ static inline int32_t cni_joint_is_rope(const cni_joint *j)
 {
 	return j->type == CN_JOINT_DISTANCE && (j->flags & (CN_JOINT_SPRING | CN_JOINT_MOTOR | CN_JOINT_LIMIT)) == CN_JOINT_LIMIT;
 }
-/* Flags a rope that may become taut within this time. */
+/* 1: a cylinder, a distance joint with a motor. */
+static inline int32_t cni_joint_is_cylinder(const cni_joint *j)
+{
+	return j->type == CN_JOINT_DISTANCE && (j->flags & CN_JOINT_MOTOR) && (j->flags & (CN_JOINT_SPRING | CN_JOINT_LIMIT)) && j->p[CNI_P_MOTOR_MAX] > 0.0f;
+}
+/* Flags a rope that may become taut within this time, and a cylinder. */
 void cni_joint_rope_mark(const cn_world *world, cni_joint_constraint *w, float dt);
 /* Metres for one unit of a row's error or speed, where it is compared with those of others: a radian counts as a length unit. */
 static inline float cni_row_length(const cn_world *world, const cni_row *r)

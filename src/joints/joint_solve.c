@@ -184,7 +184,7 @@ static void solve_constraint(cni_joint_constraint *w, cni_motion *motions, const
 	cni_motion *a = motions + w->ia, *b = motions + w->ib;
 	for (int32_t k = w->rigid_count; k < w->row_count; ++k) {
 		cni_row *r = &w->rows[k];
-		if (k == w->active_row)
+		if (k == w->active_row || k == w->idle_row)
 			continue;
 		if (r->kind == CNI_ROW_MOTOR)
 			solve_motor(r, w->numbers->single_mass[k], a, b, s, bias);
