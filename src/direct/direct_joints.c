@@ -317,15 +317,12 @@ static void rattle_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse
 	c->uses_rattle = !c->pending;
 }
 
-/* The passes of a substep; a single joint with the world needs them for heavy contacts alone. One that is left of a mechanism bore what held the whole
-   together. */
+/* The passes of a substep; a single joint with the world needs them for heavy contacts alone. */
 static void passes_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, int32_t component)
 {
 	cni_component *c = &sparse->components[component];
 	int32_t single = cni_component_is_single(c), has_heavy = single && sparse->nodes[c->begin].rows == 0 ? 0 : cni_heavy_contacts_list(world, s, sparse, component);
 	if (single && !has_heavy) {
-		if (cni_joint_constraints(world)[sparse->nodes[c->begin].owner].record->trust.direct)
-			impulses_soften(world, sparse, c);
 		cni_component_release(world, sparse, c);
 		return;
 	}

@@ -68,8 +68,11 @@ void cni_body_wake(cn_world *world, int32_t body);
 void cni_body_wake_neighbours(cn_world *world, int32_t body);
 /* Limits the contact impulses of an awake island to what soft constraints may start with, once a step. O(contacts). */
 void cni_island_limit_impulses(cn_world *world, cni_island *island);
-/* Before a body is destroyed, disabled or changes its type: wakes its neighbours and limits the contact impulses of their islands. */
+/* Before a body is destroyed, disabled or changes its type: wakes its neighbours and limits the impulses of their islands, of contacts and of joints
+   that were solved exactly. */
 void cni_body_let_go(cn_world *world, int32_t body);
+/* ... before a joint is destroyed. */
+void cni_joint_let_go(cn_world *world, int32_t joint);
 /* Wakes the body, or for a static one the bodies that overlap its boxes: at a new pose it may touch sleeping bodies. O(shapes). */
 void cni_body_wake_met(cn_world *world, int32_t body);
 /* Wakes the dynamic bodies that overlap a shape's boxes. */

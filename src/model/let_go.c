@@ -1,13 +1,17 @@
 /*
- * model/let_go.c - limits the contact impulses of an island from which something goes that may have balanced them: a body that is destroyed,
- * disabled or changes its type, or the exact solution of its contacts.
+ * model/let_go.c - limits the impulses of an island from which something goes that may have balanced them: a body that is destroyed,
+ * disabled or changes its type, a joint that is destroyed, or the exact solution of its contacts.
  *
  * The contacts of a pile that it pressed balance each other with impulses of thousands of weights. The next substep begins with them, and
  * without the body they throw the pile: parts that a kinematic body had pressed into the ground, at 360 m/s. So impulses of contacts in the
  * islands that the body touched, or was jointed to, are limited to what gives the lighter body cni_soft_speed_most; so are those of islands that
  * exact solutions gave up.
  *
- * Writes impulses of lanes.
+ * Exact joints of a mechanism that is jammed, as by motors that disagree, have opposing impulses of any size, which only their system cancels.
+ * Without one of them the next substep began at hundreds to thousands of metres a second, and systems with loops, which yield a little, left some
+ * of that. So their impulses are limited alike; one solution finds what they bear without it.
+ *
+ * Writes impulses of lanes, and of the records of joints.
  */
 #include "model/world.h"
 
@@ -42,12 +46,6 @@ void cni_island_limit_impulses(cn_world *world, cni_island *island)
 		}
 }
 
-static void neighbour_limit(cn_world *world, int32_t body)
-{
-	if (cni_is_dynamic(world, body) && cni_body_at(world, body)->island != CNI_NONE)
-		cni_island_limit_impulses(world, cni_island_at(world, cni_body_at(world, body)->island));
-}
-
 static float inv_mass_of(const cn_world *world, int32_t body)
 {
 	return body != CNI_NONE ? cni_motions(world)[cni_body_at(world, body)->awake].inv_mass : 0.0f;
@@ -56,6 +54,44 @@ static float inv_mass_of(const cn_world *world, int32_t body)
 static float joint_speed(const cn_world *world, const cni_joint *j)
 {
 	return cni_joint_impulse_sum(world, j, CNI_JOINT_ROWS) * cni_max(inv_mass_of(world, j->body[0]), inv_mass_of(world, j->body[1]));
+}
+
+/* Limits its joints that were solved exactly, to what gives the lighter body cni_soft_speed_most. */
+static void joints_limit(cn_world *world, const cni_body *b)
+{
+	float speed_most = cni_soft_speed_most(world);
+	for (int32_t key = b->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1]) {
+		cni_joint *j = cni_joint_at(world, key >> 1);
+		float speed = j->trust.direct ? joint_speed(world, j) : 0.0f;
+		for (int32_t i = 0; i < CNI_JOINT_ROWS && speed > speed_most; ++i)
+			j->impulse[i] *= speed_most / speed;
+	}
+}
+
+static void neighbour_limit(cn_world *world, int32_t body)
+{
+	if (body == CNI_NONE || !cni_is_dynamic(world, body))
+		return;
+	int32_t island = cni_body_at(world, body)->island;
+	if (island == CNI_NONE) {
+		joints_limit(world, cni_body_at(world, body));
+		return;
+	}
+	cni_island *i = cni_island_at(world, island);
+	if (!i->awake || i->limited_step == world->step_count + 1)
+		return;
+	cni_island_limit_impulses(world, i);
+	for (int32_t k = i->first; k != CNI_NONE; k = cni_body_at(world, k)->island_next)
+		joints_limit(world, cni_body_at(world, k));
+}
+
+void cni_joint_let_go(cn_world *world, int32_t joint)
+{
+	const cni_joint *j = cni_joint_at(world, joint);
+	if (joint_speed(world, j) <= cni_soft_speed_most(world))
+		return;
+	neighbour_limit(world, j->body[0]);
+	neighbour_limit(world, j->body[1]);
 }
 
 /* Islands are looked at only where the body itself presses or pulls that hard: a brick of a wall does not. */
