@@ -171,6 +171,8 @@ static void island_mark_bad(cn_world *world, int32_t island, int32_t reason)
 	if (i->tier == CNI_TIER_DIRECT || i->looked_step == world->step_count + 1u)
 		return;
 	i->looked_step = world->step_count + 1u;
+	if (i->given_step != 0)
+		cni_island_let_go(world, i, cni_island_frame(world, i));
 	if (cni_island_is_refused(i, world->step_count) || i->solver == CN_SOLVER_SOFT)
 		return;
 	if (world->direct_islands.count >= ISLANDS_MOST || 2 * i->count > CNI_DIRECT_CONTACT_MOST)
@@ -212,6 +214,16 @@ static void loads_clear(const cn_world *world, const cni_island *i)
 		}
 }
 
+/*
+ * Exact impulses on both sides of a light body cancel to a small part of them. Soft passes change each by what the body weighs, and once it moves they
+ * would throw it.
+ */
+static void impulses_hand_over(cn_world *world, cni_island *i)
+{
+	i->given_step = world->step_count;
+	cni_island_let_go(world, i, cni_island_frame(world, i));
+}
+
 void cni_island_refuse(cn_world *world, int32_t island, int32_t reason)
 {
 	cni_island *i = cni_island_at(world, island);
@@ -219,6 +231,8 @@ void cni_island_refuse(cn_world *world, int32_t island, int32_t reason)
 		(int32_t)CNI_SELECTION_REFUSED_FIRST;
 	if (i->tier == CNI_TIER_DIRECT && i->falls_steps > 0 && world->step_count + 1u - i->gives_step < 3u)
 		loads_clear(world, i);
+	if (i->tier == CNI_TIER_DIRECT && reason != CN_TIER_REASON_NO_SET) /* found in the passes of a step: island_stays */
+		impulses_hand_over(world, i);
 	i->tier = CNI_TIER_SOFT;
 	i->reason = reason;
 	if (is_long_ago(world, i->refused_step, i->refused_steps))
@@ -378,9 +392,9 @@ static void island_give_back(cn_world *world, cni_island *i)
 		loads_clear(world, i);
 	i->tier = CNI_TIER_SOFT;
 	i->reason = CN_TIER_REASON_NONE;
+	impulses_hand_over(world, i);
 	if (i->solver == CN_SOLVER_SOFT)
 		return;
-	i->given_step = world->step_count;
 	i->refused_steps = 0; /* it was solved */
 	i->stay_steps = cni_min_i(CNI_SELECTION_STAY_FACTOR * cni_max_i(i->stay_steps, CNI_SELECTION_STAY_FIRST), CNI_SELECTION_STAY_MAX);
 }
@@ -398,9 +412,11 @@ static int32_t island_stays(cn_world *world, int32_t island, float h)
 	}
 	if (!i->awake) {
 		i->tier = CNI_TIER_SOFT;
+		i->given_step = world->step_count;
 		return 0;
 	}
 	if (!takes_contacts(world, island)) { /* it merged with an island with joints */
+		impulses_hand_over(world, i);
 		i->tier = CNI_TIER_SOFT;
 		i->reason = CN_TIER_REASON_JOINTED;
 		return 0;

@@ -88,10 +88,11 @@ static void tier_inherit(const cn_world *world, cni_island *to, const cni_island
 		to->projected_step = from->projected_step;
 		to->projected_steps = from->projected_steps;
 	}
-	if (from->stay_steps > to->stay_steps) {
-		to->stay_steps = from->stay_steps;
+	if (from->stay_steps > to->stay_steps || to->given_step == 0)
 		to->given_step = from->given_step;
-	}
+	if (from->tier == CNI_TIER_DIRECT && to->tier != CNI_TIER_DIRECT)
+		to->given_step = world->step_count;
+	to->stay_steps = cni_max_i(to->stay_steps, from->stay_steps);
 	if (from->unheld_step != 0)
 		to->unheld_step = to->unheld_step == 0 ? from->unheld_step : more_recent(world, to->unheld_step, from->unheld_step);
 	if (CNI_HAS_DIRECT && cni_cone_debt(world, from) > cni_cone_debt(world, to)) {

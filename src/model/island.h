@@ -27,7 +27,7 @@ typedef struct cni_island {
 	int32_t tier;          /* CNI_TIER_; from here on state of direct/solver_selection.c */
 	int32_t good_steps;    /* directly solved steps since the last bad one */
 	int32_t stay_steps;    /* good steps required before the soft solver takes it back, 0: the minimum */
-	uint32_t given_step;   /* step of its last return to the soft solver */
+	uint32_t given_step;   /* step of its last return to the soft solver with exact impulses; 0: none, or they were limited since */
 	uint32_t looked_step;  /* step + 1 in which it was last found in need of direct solving */
 	uint32_t asked_step;   /* step + 1 in which it was last quiet and in need of direct solving ... */
 	int32_t asked_steps;   /* ... and the number of consecutive steps */
@@ -68,6 +68,8 @@ void cni_body_wake(cn_world *world, int32_t body);
 void cni_body_wake_neighbours(cn_world *world, int32_t body);
 /* Limits the contact impulses of an awake island to what soft constraints may start with, once a step. O(contacts). */
 void cni_island_limit_impulses(cn_world *world, cni_island *island);
+/* ... once a body moves that contacts press harder than that. */
+void cni_island_let_go(cn_world *world, cni_island *island, cni_vec2 frame);
 /* Before a body is destroyed, disabled or changes its type: wakes its neighbours and limits the impulses of their islands, of contacts and of joints
    that were solved exactly. */
 void cni_body_let_go(cn_world *world, int32_t body);

@@ -5,7 +5,7 @@
  * The contacts of a pile that it pressed balance each other with impulses of thousands of weights. The next substep begins with them, and
  * without the body they throw the pile: parts that a kinematic body had pressed into the ground, at 360 m/s. So impulses of contacts in the
  * islands that the body touched, or was jointed to, are limited to what gives the lighter body cni_soft_speed_most; so are those of islands that
- * exact solutions gave up.
+ * exact solutions gave up, and of islands that rest on exact impulses once a body of them moves that bears more.
  *
  * Exact joints of a mechanism that is jammed, as by motors that disagree, have opposing impulses of any size, which only their system cancels.
  * Without one of them the next substep began at hundreds to thousands of metres a second, and systems with loops, which yield a little, left some
@@ -15,13 +15,19 @@
  */
 #include "model/world.h"
 
+static float lane_impulse(const cn_world *world, int32_t slot)
+{
+	const cni_contact_block *block = cni_block_at(world, slot / CNI_LANES);
+	return block->p[0].jn[slot % CNI_LANES] + block->p[1].jn[slot % CNI_LANES];
+}
+
 /* Speed that the impulses of a lane give the lighter body. */
 static float lane_speed(const cn_world *world, int32_t slot)
 {
 	const cni_contact_block *block = cni_block_at(world, slot / CNI_LANES);
 	int32_t l = slot % CNI_LANES;
 	float inv_mass = cni_max(cni_motions(world)[block->ia[l]].inv_mass, cni_motions(world)[block->ib[l]].inv_mass);
-	return inv_mass * (block->p[0].jn[l] + block->p[1].jn[l]);
+	return inv_mass * lane_impulse(world, slot);
 }
 
 static void lane_limit(const cn_world *world, int32_t slot, float speed_most)
@@ -44,6 +50,32 @@ void cni_island_limit_impulses(cn_world *world, cni_island *island)
 			if (cni_contact_has_lane(c) && (body == c->body[0] || !cni_is_dynamic(world, c->body[0])))
 				lane_limit(world, c->slot, speed_most);
 		}
+}
+
+/* 1: a body that contacts press beyond that moves. */
+static int32_t pressed_body_moves(const cn_world *world, const cni_island *island, cni_vec2 frame)
+{
+	float speed_most = cni_soft_speed_most(world), slow = world->settings.sleep_speed;
+	for (int32_t body = island->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next) {
+		const cni_body *b = cni_body_at(world, body);
+		const cni_motion *m = cni_motions(world) + b->awake;
+		if (cni_sq(m->vx - frame.x) + cni_sq(m->vy - frame.y) + cni_sq(m->w * b->extent) <= slow * slow)
+			continue;
+		for (int32_t key = b->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
+			const cni_contact *c = cni_contact_of_key(world, key);
+			if (cni_contact_has_lane(c) && m->inv_mass * lane_impulse(world, c->slot) > speed_most)
+				return 1;
+		}
+	}
+	return 0;
+}
+
+void cni_island_let_go(cn_world *world, cni_island *island, cni_vec2 frame)
+{
+	if (!pressed_body_moves(world, island, frame))
+		return;
+	cni_island_limit_impulses(world, island);
+	island->given_step = 0;
 }
 
 static float inv_mass_of(const cn_world *world, int32_t body)
