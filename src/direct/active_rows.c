@@ -169,12 +169,14 @@ void cni_active_right_sides(const cn_world *world, const cni_solve *s, cni_spars
 	}
 }
 
-float cni_active_rope_missing(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+float cni_active_limit_missing(const cn_world *world, const cni_sparse *sparse, const cni_component *c, int32_t ropes)
 {
 	float most = 0.0f;
-	for (int32_t k = c->active_first; k != CNI_NONE; k = sparse->nodes[k].next_active)
-		if (sparse->nodes[k].rows == 0 && active_row(world, &sparse->nodes[k])->kind == CNI_ROW_LIMIT)
-			most = cni_max(most, missing_speed(world, &sparse->nodes[k], active_row(world, &sparse->nodes[k])));
+	for (int32_t k = c->active_first; k != CNI_NONE; k = sparse->nodes[k].next_active) {
+		const cni_row *r = active_row(world, &sparse->nodes[k]);
+		if (r->kind == CNI_ROW_LIMIT && (sparse->nodes[k].rows == 0 || !ropes))
+			most = cni_max(most, missing_speed(world, &sparse->nodes[k], r) * cni_row_length(world, r));
+	}
 	return most;
 }
 

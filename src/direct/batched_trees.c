@@ -251,15 +251,24 @@ static void batch_range(void *context, int32_t begin, int32_t end)
 }
 
 /* By the widest kernel that this build and this processor have. */
-void cni_tree_batches_run(cn_world *world, const cni_solve *s, int32_t pass)
+static void batches_run(cn_world *world, const cni_solve *s, int32_t pass, float rate, float opening_speed, float turn_least)
 {
 	const cni_tree_batch_kernel *kernel = CNI_WIDEST(&cni_tree_batch_kernel_plain, &cni_tree_batch_kernel_4, &cni_tree_batch_kernel_8);
-	batch_loop loop = { NULL, (*kernel)[pass], { cni_motions(world), cni_starts(world), { s->h, s->inv_h, s->warm_scale, s->joint, s->restless_speed }, s->joint_error_rate, s->push_speed,
-		CNI_BAD_PART * world->settings.accuracy * s->inv_h, CNI_PROJECTION_TURN_RAD * s->inv_h } };
+	batch_loop loop = { NULL, (*kernel)[pass], { cni_motions(world), cni_starts(world), { s->h, s->inv_h, s->warm_scale, s->joint, s->restless_speed }, rate, s->push_speed, opening_speed, turn_least } };
 	if (s->direct == NULL || s->direct->batch_count == 0)
 		return;
 	loop.batches = s->direct->batches;
 	cni_team_for(s->team, s->direct->batch_count, 1, batch_range, &loop);
+}
+
+void cni_tree_batches_run(cn_world *world, const cni_solve *s, int32_t pass)
+{
+	batches_run(world, s, pass, s->joint_error_rate, 0.0f, 0.0f);
+}
+
+void cni_tree_batches_project(cn_world *world, const cni_solve *s, float opening_speed, int32_t bias)
+{
+	batches_run(world, s, CNI_TREES_PROJECT, bias ? s->joint_error_rate : 0.0f, opening_speed, bias ? CNI_PROJECTION_TURN_RAD * s->inv_h : FLT_MAX);
 }
 
 void cni_tree_batches_make(cn_world *world, const cni_solve *s, cni_sparse *sparse)

@@ -3,6 +3,7 @@
  *
  * Reads joint constraints, motion and inverse masses; writes nodes, their rigid rows' impulses, motion velocities.
  */
+#include "contacts/contacts.h"
 #include "direct/direct_system.h"
 
 static void motions_copy(const cn_world *world, const cni_sparse *sparse, const cni_component *c, cni_motion *to, int32_t restore)
@@ -60,6 +61,21 @@ float cni_direct_soft_part(const cn_world *world, float impulse, int32_t ia, int
 	float speed = impulse * cni_max(cni_motions(world)[ia].inv_mass, cni_motions(world)[ib].inv_mass);
 	float most = cni_soft_speed_most(world);
 	return speed > most ? most / speed : 1.0f;
+}
+
+int32_t cni_component_is_slow(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	float most = CNI_HEAVY_SLOW_SPEED * world->settings.length_unit;
+	int32_t island = cni_awake_island(world, sparse->bodies[c->body_begin]);
+	cni_vec2 frame = { 0.0f, 0.0f };
+	if (island != CNI_NONE)
+		frame = cni_island_frame(world, cni_island_at(world, island));
+	for (int32_t k = c->body_begin; k < c->body_end; ++k) {
+		const cni_motion *m = cni_motions(world) + sparse->bodies[k];
+		if (cni_sq(m->vx - frame.x) + cni_sq(m->vy - frame.y) > most * most)
+			return 0;
+	}
+	return 1;
 }
 
 void cni_component_suspend(cn_world *world, cni_sparse *sparse, cni_component *c, int32_t span)

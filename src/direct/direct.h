@@ -28,6 +28,8 @@ void cni_direct_warm_start(cn_world *world, const cni_solve *s);
 void cni_direct_solve(cn_world *world, const cni_solve *s, int32_t bias);
 /* After the contact pass: solves joints again that contacts would open in this substep. */
 void cni_direct_project(cn_world *world, const cni_solve *s);
+/* After the relax passes: repeats them for joints and contacts of slow components while contacts open the joints. */
+void cni_direct_settle(cn_world *world, const cni_solve *s);
 /* After the substeps: contacts that the joints bear bounce; writes the contacts of the direct solver back to their lanes. */
 void cni_direct_store(cn_world *world, const cni_solve *s);
 /* At the end of a substep: adds the impulses of directly solved contacts to the sums of those that report them. */

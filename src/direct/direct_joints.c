@@ -401,7 +401,7 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 	cni_components_run(world, s, cni_components_team(world, out, 1), pending_begin, 0);
 	cni_direct_contacts_extract(world, out);
 	if (CNI_ON(JOINT_PROJECTION))
-		cni_projection_mark(out);
+		cni_projection_mark(world, out);
 	cni_heavy_contacts_find(world, s);
 	world->direct_work = work_planned(world, out);
 }

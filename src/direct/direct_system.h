@@ -117,8 +117,10 @@ float cni_direct_soft_part(const cn_world *world, float impulse, int32_t ia, int
 int32_t cni_direct_apply(cn_world *world, cni_sparse *sparse, cni_component *c);
 /* Levers, dampers and factors at the bodies' present rotations. */
 void cni_direct_system(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c);
+/* 1: no body of it moves in the frame of its island faster than CNI_HEAVY_SLOW_SPEED. */
+int32_t cni_component_is_slow(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
 /* Lists the components that contacts may open: direct/joint_projection.c. */
-void cni_projection_mark(cni_sparse *sparse);
+void cni_projection_mark(const cn_world *world, cni_sparse *sparse);
 
 /* ---- motors and limits in the system: direct/active_rows.c ---- */
 
@@ -143,8 +145,8 @@ int32_t cni_active_leave(const cn_world *world, cni_sparse *sparse, const cni_co
 void cni_active_levers(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c);
 /* Their right sides, after those of the rigid rows. */
 void cni_active_right_sides(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c, int32_t bias);
-/* After that: the most that the speed of a rope lacks of its target. */
-float cni_active_rope_missing(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
+/* After that: the most that the speed of a rope lacks of its target, or (ropes 0) of any limit. */
+float cni_active_limit_missing(const cn_world *world, const cni_sparse *sparse, const cni_component *c, int32_t ropes);
 /* Rows beyond their bound leave the set, others return. Returns 1 when the set has changed. */
 int32_t cni_active_change(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c, int32_t bias);
 /* Adds the solution to the impulses of the rows in the set. */
@@ -205,6 +207,8 @@ int32_t cni_component_is_batched(const cn_world *world, const cni_solve *s, cni_
 void cni_tree_batches_make(cn_world *world, const cni_solve *s, cni_sparse *sparse);
 /* One of these passes over all batches. */
 void cni_tree_batches_run(cn_world *world, const cni_solve *s, int32_t pass);
+/* CNI_TREES_PROJECT: with bias, or rigid, where pins open faster than that. */
+void cni_tree_batches_project(cn_world *world, const cni_solve *s, float opening_speed, int32_t bias);
 /* Reads levers, gaps and factors of a batched component from its lane, for direct/heavy_contacts.c; then adds the impulses of the nodes to
    the lane. */
 void cni_tree_lane_system(const cni_solve *s, cni_component *c);

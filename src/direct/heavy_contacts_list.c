@@ -157,24 +157,6 @@ static int32_t may_break(const cn_world *world, const cni_sparse *sparse, const 
 	return 0;
 }
 
-/* 1: no body of the component is faster than CNI_HEAVY_SLOW_SPEED, and it has few blocks or could be in no batch. */
-static int32_t is_slow(const cn_world *world, const cni_sparse *sparse, const cni_component *c, int32_t batchable)
-{
-	float most = CNI_HEAVY_SLOW_SPEED * world->settings.length_unit;
-	int32_t k, island = cni_awake_island(world, sparse->bodies[c->body_begin]);
-	cni_vec2 frame = { 0.0f, 0.0f };
-	if (batchable && blocks_of(sparse, c) > CNI_HEAVY_SLOW_BLOCKS)
-		return 0;
-	if (island != CNI_NONE)
-		frame = cni_island_frame(world, cni_island_at(world, island));
-	for (k = c->body_begin; k < c->body_end; ++k) {
-		const cni_motion *m = cni_motions(world) + sparse->bodies[k];
-		if (cni_sq(m->vx - frame.x) + cni_sq(m->vy - frame.y) > most * most)
-			return 0;
-	}
-	return 1;
-}
-
 int32_t cni_heavy_contacts_list(const cn_world *world, const cni_solve *s, cni_sparse *sparse, int32_t component)
 {
 	const cni_component *c = &sparse->components[component];
@@ -186,7 +168,7 @@ int32_t cni_heavy_contacts_list(const cn_world *world, const cni_solve *s, cni_s
 		return 0;
 	batchable = is_batchable(sparse, c);
 	ratio = batchable || cni_component_is_single(c) ? CNI_SELECTION_MASS_RATIO : 1.0f; /* else only bodies that may crush its own: ragdolls would take 4 times as long as soft ones instead of 2.1 times */
-	slow = is_slow(world, sparse, c, batchable);
+	slow = (!batchable || blocks_of(sparse, c) <= CNI_HEAVY_SLOW_BLOCKS) && cni_component_is_slow(world, sparse, c);
 	most = cni_min_i(first + cni_heavy_contacts_most(sparse, c), cni_heavy_contacts_room(world->touching_count, world->awake_joints.count));
 	for (k = c->body_begin; k < c->body_end; ++k)
 		if (cni_externals(world)[sparse->bodies[k]].flags & CNI_EXTERNAL_TOUCHED)

@@ -8,6 +8,10 @@
  * pushes the light chain on which it hangs into itself, and exact joints turn its links by any angle: those that would turn by more than
  * CNI_BUCKLE_RAD in the substep are locked to each other.
  *
+ * After the relax passes the same is done with rigid rows for trees of slow bodies. One pass over joints, whose response is that of all bodies, and one
+ * over contacts, which know the masses of two, leave some of the speed of the pushes. Exact joints take nothing of it out again, and heaps of
+ * ragdolls moved for ever.
+ *
  * Reads and writes the data of direct/direct_joints.c and contact_solve.c, between their passes.
  */
 #include "direct/direct.h"
@@ -18,7 +22,13 @@
 
 #define MARKS_LOOKED_AT 16
 
-void cni_projection_mark(cni_sparse *sparse)
+/* 1: it is to come to rest. Motors drive on, and loops bear tension that more rounds with contacts would change. */
+static int32_t may_settle(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	return !c->loops && c->active < 2 && cni_component_is_slow(world, sparse, c);
+}
+
+void cni_projection_mark(const cn_world *world, cni_sparse *sparse)
 {
 	memset(sparse->projections, 0, sizeof(cni_projection) * (size_t)sparse->component_count);
 	for (int32_t k = 0; k < sparse->component_count; ++k) {
@@ -26,22 +36,30 @@ void cni_projection_mark(cni_sparse *sparse)
 		if (c->done || c->has_contacts || c->touched == 0)
 			continue;
 		sparse->projections[k].listed = 1;
+		sparse->projections[k].settles = may_settle(world, sparse, c);
+		sparse->settles |= sparse->projections[k].settles;
 		sparse->projections[k].mark_begin = CNI_NONE;
 		++sparse->projection_count;
 	}
 }
 
-/* 1: contacts would open a joint by more than CNI_BAD_PART of the accuracy in this substep. Reads the right sides. */
-static int32_t is_opening(const cn_world *world, const cni_solve *s, const cni_component *c)
+/* Greatest speed at which contacts may open joints: before positions move (bias 1) CNI_BAD_PART of the accuracy in a substep. */
+static float opening_speed(const cn_world *world, const cni_solve *s, int32_t bias)
 {
-	float most = CNI_BAD_PART * world->settings.accuracy * s->inv_h;
+	return bias ? CNI_BAD_PART * world->settings.accuracy * s->inv_h : CNI_SETTLE_PART * world->settings.sleep_speed;
+}
+
+/* 1: contacts would open a joint faster. Reads the right sides. */
+static int32_t is_opening(const cn_world *world, const cni_solve *s, const cni_component *c, int32_t bias)
+{
+	float most = opening_speed(world, s, bias);
 	for (int32_t k = c->begin; k < c->end; ++k) {
 		const cni_node *n = &s->direct->nodes[k];
 		for (int32_t i = 0; i < n->rows; ++i)
 			if (cni_abs(n->x[i]) * cni_row_length(world, &cni_joint_constraints(world)[n->owner].rows[i]) > most)
 				return 1;
 	}
-	return c->has_ropes && c->active && cni_active_rope_missing(world, s->direct, c) > most;
+	return c->active && (c->has_ropes || !bias) && cni_active_limit_missing(world, s->direct, c, bias) > most;
 }
 
 /* Second-order drift of a point at r when its body turns by this angle: its deviation from the tangent, with the bits of the batches
@@ -159,14 +177,14 @@ static void contacts_mark(const cn_world *world, cni_sparse *sparse, int32_t com
 }
 
 /* Selects projections to check: all in the first round, then those that opened in the last round or whose bodies contacts changed. */
-static void projections_select(cni_sparse *sparse, int32_t round)
+static void projections_select(cni_sparse *sparse, int32_t round, int32_t bias)
 {
 	for (int32_t k = 0; k < sparse->batch_count; ++k)
 		sparse->batches[k].selected = 0;
 	for (int32_t k = 0; k < sparse->component_count; ++k) {
 		cni_projection *p = &sparse->projections[k];
 		const cni_component *c = &sparse->components[k];
-		p->selected = p->listed && (round == 0 || p->opening || p->changed);
+		p->selected = p->listed && (bias || p->settles) && (round == 0 || p->opening || p->changed);
 		p->changed = 0;
 		if (p->selected && c->batches)
 			sparse->batches[c->batch].selected |= 1u << c->lane;
@@ -174,35 +192,36 @@ static void projections_select(cni_sparse *sparse, int32_t round)
 }
 
 /* Solves it where it is opening. */
-static void component_project(cn_world *world, const cni_solve *s, cni_component *c, int32_t argument)
+static void component_project(cn_world *world, const cni_solve *s, cni_component *c, int32_t bias)
 {
 	cni_projection *p = &s->direct->projections[c - s->direct->components];
-	(void)argument;
 	p->opening = 0;
 	if (!p->selected || c->done || c->batches)
 		return;
-	cni_direct_right_sides(world, s, c, 1);
-	drifts_add(world, s, c);
-	p->opening = is_opening(world, s, c);
+	cni_direct_right_sides(world, s, c, bias);
+	if (bias)
+		drifts_add(world, s, c);
+	p->opening = is_opening(world, s, c, bias);
 	if (!p->opening)
 		return;
-	cni_component_solve(world, s, c, 1);
-	(void)cni_component_lock(world, s, c, CNI_BUCKLE_RAD);
+	cni_component_solve(world, s, c, bias);
+	if (bias)
+		(void)cni_component_lock(world, s, c, CNI_BUCKLE_RAD);
 }
 
 /* Returns 1 when some joints were opening, so that their contacts must be solved once more. */
-static int32_t projections_run(cn_world *world, const cni_solve *s, int32_t round)
+static int32_t projections_run(cn_world *world, const cni_solve *s, int32_t round, int32_t bias)
 {
 	int32_t k, opening = 0;
-	projections_select(s->direct, round);
-	cni_tree_batches_run(world, s, CNI_TREES_PROJECT);
-	cni_components_run(world, s, s->team, component_project, 0);
+	projections_select(s->direct, round, bias);
+	cni_tree_batches_project(world, s, opening_speed(world, s, bias), bias);
+	cni_components_run(world, s, s->team, component_project, bias);
 	cni_components_give_up(world, s);
 	for (k = 0; k < s->direct->component_count; ++k) {
 		cni_projection *p = &s->direct->projections[k];
 		cni_component *c = &s->direct->components[k];
 		int32_t solved = p->selected && (c->batches ? (int32_t)(s->direct->batches[c->batch].opening >> c->lane & 1u) : p->opening);
-		if (solved && c->batches) {
+		if (solved && c->batches && bias) {
 			cni_tree_lane_lock(world, s, c, CNI_BUCKLE_RAD);
 			cni_component_give_up(world, s->direct, c);
 		}
@@ -212,14 +231,34 @@ static int32_t projections_run(cn_world *world, const cni_solve *s, int32_t roun
 	return opening;
 }
 
+static void contacts_of_opening_mark(const cn_world *world, cni_sparse *sparse)
+{
+	for (int32_t k = 0; k < sparse->component_count; ++k)
+		if (sparse->projections[k].opening)
+			contacts_mark(world, sparse, k);
+}
+
 void cni_direct_project(cn_world *world, const cni_solve *s)
 {
 	if (s->direct == NULL || s->direct->projection_count == 0)
 		return;
-	for (int32_t round = 0; projections_run(world, s, round); ++round) {
-		for (int32_t k = 0; k < s->direct->component_count; ++k)
-			if (s->direct->projections[k].opening)
-				contacts_mark(world, s->direct, k);
+	for (int32_t round = 0; projections_run(world, s, round, 1); ++round) {
+		contacts_of_opening_mark(world, s->direct);
 		cni_contacts_pass(world, s, CNI_PASS_AGAIN);
+	}
+}
+
+void cni_direct_settle(cn_world *world, const cni_solve *s)
+{
+	const cni_soft exact = { 1.0f, 0.0f, 0.0f };
+	cni_solve rigid;
+	if (s->direct == NULL || !s->direct->settles)
+		return;
+	for (int32_t round = 0; round < CNI_SETTLE_ROUNDS && projections_run(world, s, round, 0); ++round) {
+		rigid = *s;
+		for (int32_t k = 0; k < CNI_CONTACTS_KINDS; ++k)
+			rigid.contact[k].soft = rigid.contact[k].deep = exact;
+		contacts_of_opening_mark(world, s->direct);
+		cni_contacts_pass(world, &rigid, CNI_PASS_AGAIN);
 	}
 }

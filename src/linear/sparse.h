@@ -101,6 +101,7 @@ typedef struct cni_component {
 /* Of a component whose joints contacts may open: direct/joint_projection.c. */
 typedef struct cni_projection {
 	int32_t listed;                /* 1: they may */
+	int32_t settles;               /* 1: also after the relax passes */
 	int32_t selected;              /* 1: to be checked, because its bodies may have changed since the last check */
 	int32_t opening;               /* 1: contacts would open some of its joints in this substep */
 	int32_t changed;               /* 1: contacts have changed its bodies since the last check */
@@ -147,6 +148,7 @@ typedef struct cni_sparse {
 	struct cni_direct_contact *contacts;   /* direct contacts in the order of their nodes: the owner of contact i's node is -1 - i */
 	int32_t contact_count;
 	cni_projection *projections;          /* direct/joint_projection.c, by component */
+	int32_t settles;                      /* 1: a projection has settles */
 	int32_t projection_count;             /* components of which it is used */
 	cni_marked_lanes *projection_marks; /* the contacts of each projection's bodies */
 	int32_t projection_mark_count;

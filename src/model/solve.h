@@ -11,6 +11,7 @@
  *   motion --direct_project--> motion.v, impulses            joints that contacts would open, and those contacts
  *   motion.v --integrate_positions--> motion.dp theta
  *   motion, block --relax--> motion.v, block.jn jt           rigid, removes the push's velocity
+ *   motion --direct_settle--> motion.v, impulses             slow trees of joints that contacts would open, and those contacts
  */
 #ifndef CNI_MODEL_SOLVE_H
 #define CNI_MODEL_SOLVE_H

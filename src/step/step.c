@@ -126,6 +126,8 @@ static void substeps_lead(void *context)
 		cni_integrate_positions(world, s);
 		joints_relax(world, s);
 		cni_contacts_pass(world, s, CNI_PASS_RELAX);
+		if (has_direct(s))
+			cni_direct_settle(world, s);
 		impulses_sum(world, s);
 		if (k == 0 && CNI_ON(EARLY_REST))
 			cni_rest_find(world, s);
