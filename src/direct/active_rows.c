@@ -7,8 +7,8 @@
  *
  * The bounds of these rows make a complementarity problem, which an active set solves. All rows of the set are solved exactly. A row beyond
  * its bound is clamped to it and leaves the set. A row outside the set returns if its speed error has the sign to which it can push. Then
- * the system is solved again. After CNI_JOINT_SET_ROUNDS changes (with motors CNI_MOTOR_SET_ROUNDS) the last set is accepted. The set is kept
- * from pass to pass, so most passes take one round.
+ * the system is solved again. After CNI_JOINT_SET_ROUNDS changes the last set is accepted. The set is kept from pass to pass, so most
+ * passes take one round.
  *
  * A joint has one such row: its limit when the limit is near, otherwise its motor. Where both act along one coordinate they take turns: the motor,
  * whose target does not pass the limit, and the limit while the motor is at its bound and does not hold it. The other row keeps its impulse

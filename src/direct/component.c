@@ -506,12 +506,12 @@ static void set_save(cn_world *world, const cni_sparse *sparse, const cni_compon
    set is pushed until the next. 0: the solution is not finite, or adds energy, of a checked system without motors nothing is changed then. */
 static int32_t set_solve(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c, int32_t bias)
 {
-	int32_t checked = c->checked && c->active == 1, rounds = c->active == 1 ? CNI_JOINT_SET_ROUNDS : CNI_MOTOR_SET_ROUNDS, solved;
+	int32_t checked = c->checked && c->active == 1, solved;
 	if (checked)
 		set_save(world, sparse, c, 0);
 	for (int32_t round = 0;; ++round) {
 		solved = cni_direct_apply(world, sparse, c);
-		if (!solved || round == rounds || !cni_active_change(world, s, sparse, c, bias))
+		if (!solved || round == CNI_JOINT_SET_ROUNDS || !cni_active_change(world, s, sparse, c, bias))
 			break;
 		++c->set_changes;
 		cni_direct_system(world, s, sparse, c);

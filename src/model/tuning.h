@@ -217,8 +217,6 @@ CNI_TUNING_FLOAT(CNI_CHECKED_PIVOT, 1e-3f)
 CNI_TUNING_FLOAT(CNI_BATCH_MASS_RATIO, 2e4f)
 /* Changes of the active set of joint rows in a pass. */
 CNI_TUNING_COUNT(CNI_JOINT_SET_ROUNDS, 3)
-/* ... of rows with motors: what motors that disagree bear beyond their bounds in the last one throws light parts. */
-CNI_TUNING_COUNT(CNI_MOTOR_SET_ROUNDS, 10)
 /* Length units or radians. A limit that is nearer may be reached. */
 CNI_TUNING_FLOAT(CNI_LIMIT_ROOM, 0.05f)
 /* Xi = h^2 sum(r.f) / I above which relative rotation is damped; see direct/geometric_stiffness.c. A light body under tension gains
