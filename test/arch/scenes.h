@@ -20,12 +20,12 @@ typedef struct arch_scene {
 static const arch_scene arch_scenes[ARCH_SCENES] = {
 	{ "shapes", scene_shapes, 0x3f7d38d5bb1f176e },
 	{ "joints", scene_joints, 0x75e2e32bb67b4458 },
-	{ "direct", scene_direct, 0x4ac12576c772b1f5 },
-	{ "tiers", scene_tiers, 0x35f14f1c7391eefe },
+	{ "direct", scene_direct, 0x63695e588dba2fba },
+	{ "tiers", scene_tiers, 0x97c4dd7a8ec9cb93 },
 	{ "sequential", scene_sequential, 0x08c4cf8f2876c0a2 },
-	{ "queries", scene_queries, 0x9c8eb7c928c66a1c },
-	{ "events", scene_events, 0x24d26d0cd222177d },
-	{ "file", scene_file, 0x1634d575d037bfee },
+	{ "queries", scene_queries, 0x31daf40cc57fdb5f },
+	{ "events", scene_events, 0x24706f49aa875a26 },
+	{ "file", scene_file, 0x5810899af747a75d },
 };
 
 /* The number of a scene; 0 if a call failed: arch_failed_line. */

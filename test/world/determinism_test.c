@@ -24,14 +24,14 @@ typedef struct golden {
 
 /* clang-format off */
 static const golden goldens[] = {
-	{ "falling_hinges", 480, 1, 0x9d720a7fee78edb0 },
+	{ "falling_hinges", 480, 1, 0x8b50471c51fa1aee },
 	{ "small_200", 300, 1, 0xe216f521a4dfe85e },
 	{ "small_50_sleep", 600, 1, 0x9a4e05f82fde73b7 },
 	{ "dominoes", 400, 1, 0x7410bcc4c51d0675 },
-	{ "ragdolls", 480, 1, 0x88d9850362719813 },
+	{ "ragdolls", 480, 1, 0x9a8abeb35a2f3fc0 },
 	{ "bridge", 240, 1, 0x405f86f0ffbe711a },
-	{ "car", 400, 1, 0xbf1324cb299ea93a },
-	{ "mixer", 240, 1, 0xde7da2c3de756885 },
+	{ "car", 400, 1, 0x207b722fb5e67c25 },
+	{ "mixer", 240, 1, 0x7474ddb540fd6ed1 },
 	{ "pyramid", 120, 0, 0x387c9d4d7cb5aaff },
 	{ "rain", 150, 0, 0xbd48b22521a1db77 },
 	{ "tumbler_1000", 300, 0, 0x97bcb1e3139a9906 },
