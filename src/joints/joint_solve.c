@@ -360,8 +360,10 @@ static void joint_break(cn_world *world, const cni_joint_constraint *w)
 {
 	uint32_t breaks = (cni_joint_at(world, w->joint)->flags & CN_JOINT_BREAKS) != 0;
 	cni_joint_event_log(world, w->joint, w->numbers->force_stress, w->numbers->torque_stress, breaks);
-	if (breaks)
-		cni_joint_destroy(world, w->joint);
+	if (!breaks)
+		return;
+	cni_joint_let_go(world, w->joint);
+	cni_joint_destroy(world, w->joint);
 }
 
 /* Backwards, because destroying a joint moves the last one of the awake list to its place. */

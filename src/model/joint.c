@@ -136,7 +136,6 @@ void cni_joint_unlink(cn_world *world, int32_t joint)
 void cni_joint_destroy(cn_world *world, int32_t joint)
 {
 	world->constraint_count -= cni_joint_is_constraint(cni_joint_at(world, joint)->type);
-	cni_joint_let_go(world, joint);
 	cni_joint_unlink(world, joint);
 	cni_handles_release(&world->joint_handles, joint);
 }

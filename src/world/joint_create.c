@@ -177,8 +177,10 @@ static cn_result constraint_create(cn_world *world, const char *function, int32_
 	{ \
 		cni_call call = cni_enter(world, __func__); \
 		cni_check_##noun(&call, #noun, noun); \
-		if (call.result == CN_OK) \
+		if (call.result == CN_OK) { \
+			cni_joint_let_go(world, cni_joint_index(world, noun)); \
 			cni_joint_destroy(world, cni_joint_index(world, noun)); \
+		} \
 		return call.result; \
 	}
 
