@@ -74,13 +74,13 @@ static double platform_run(uint32_t seed, int32_t solver, int32_t cut)
 	return w.speed;
 }
 
-/* How many are five times as fast as with soft constraints. */
+/* How many are three times as fast as with soft constraints. */
 static int32_t platforms(int32_t cut, int32_t count)
 {
 	int32_t k, faster = 0;
 	for (k = 1; k <= count; ++k) {
 		double soft = platform_run((uint32_t)k * 7919u, CN_SOLVER_SOFT, cut);
-		faster += platform_run((uint32_t)k * 7919u, CN_SOLVER_AUTO, cut) > 5.0 * (soft + 1.0);
+		faster += platform_run((uint32_t)k * 7919u, CN_SOLVER_AUTO, cut) > 3.0 * (soft + 1.0);
 	}
 	return faster;
 }
@@ -88,13 +88,14 @@ static int32_t platforms(int32_t cut, int32_t count)
 /* Soft joints open by 0.2 to 0.6 m there, exact ones by some millimetres. */
 static void legs_that_disagree_throw_no_platform(void)
 {
-	CHECK_LE("platforms of 100 that are five times as fast as with soft constraints", platforms(ALL_LEGS, TEST_MANY(100)), 1, "");
+	CHECK_LE("platforms of 100 that are three times as fast as with soft constraints", platforms(ALL_LEGS, TEST_MANY(100)), 1, "");
 }
 
+/* All seeds in quick builds, too: four of 100 are thrown where joints keep their impulses. */
 static void platforms_lose_a_leg_calmly(void)
 {
-	CHECK_LE("platforms of 100 that are five times as fast as with soft constraints when a leg comes apart", platforms(LEG_APART, TEST_MANY(100)), 1, "");
-	CHECK_LE("... when a part of it is disabled", platforms(LEG_GONE, TEST_MANY(100)), 1, "");
+	CHECK_LE("platforms of 100 that are three times as fast as with soft constraints when a leg comes apart", platforms(LEG_APART, 100), 1, "");
+	CHECK_LE("... when a part of it is disabled", platforms(LEG_GONE, 100), 1, "");
 }
 
 /* Lazy tongs of n crossed pairs that a distance joint drives between its last ends; the first end is pinned, the second slides up. */

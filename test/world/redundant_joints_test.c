@@ -227,7 +227,7 @@ static void what_is_jammed_wakes_calmly(void)
 			for (force = 1e4f; force < 4e6f; force *= 3.1623f)
 				fastest = greater(fastest, jammed_lift_speed(stages, 0.2f * (float)k, force, &asleep));
 	CHECK_GE("jammed lifts of 54 that fall asleep", asleep, 42, "");
-	CHECK_LE("greatest speed of a jammed lift that wakes", fastest, 0.5, "m/s");
+	CHECK_LE("greatest speed of a jammed lift that wakes", fastest, 0.5, "m/s"); /* 0.195 while 5 fewer fell asleep; soft ones 0.04, of 36 */
 }
 
 /* ---- kinematic ends ---- */
