@@ -73,7 +73,7 @@ void cni_island_let_go(cn_world *world, cni_island *island, cni_vec2 frame);
 /* Before a body is destroyed, disabled or changes its type: wakes its neighbours and limits the impulses of their islands, of contacts and of joints
    that were solved exactly. */
 void cni_body_let_go(cn_world *world, int32_t body);
-/* ... before a joint is destroyed. */
+/* ... before a joint is destroyed: wakes its bodies. */
 void cni_joint_let_go(cn_world *world, int32_t joint);
 /* Wakes the body, or for a static one the bodies that overlap its boxes: at a new pose it may touch sleeping bodies. O(shapes). */
 void cni_body_wake_met(cn_world *world, int32_t body);

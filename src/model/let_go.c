@@ -120,6 +120,7 @@ static void neighbour_limit(cn_world *world, int32_t body)
 void cni_joint_let_go(cn_world *world, int32_t joint)
 {
 	const cni_joint *j = cni_joint_at(world, joint);
+	cni_joint_wake_bodies(world, j);
 	if (joint_speed(world, j) <= cni_soft_speed_most(world))
 		return;
 	neighbour_limit(world, j->body[0]);

@@ -264,7 +264,8 @@ static double load_column(uint32_t seed, int32_t blow)
 	count = (int32_t)fixture_random(&seed, 4.0f, 11.0f);
 	for (i = 0; i <= count; ++i) {
 		float height = i < count ? fixture_random(&seed, 0.1f, 0.4f) : 0.3f;
-		boxes[i] = fixture_body(world, CN_BODY_DYNAMIC, fixture_random(&seed, -0.05f, 0.05f), y + height + (i < count || blow ? 0.0f : fixture_random(&seed, 0.0f, 1.5f)), 0.0f);
+		float above = i < count || blow ? 0.0f : fixture_random(&seed, 0.0f, 1.5f), x = fixture_random(&seed, -0.05f, 0.05f);
+		boxes[i] = fixture_body(world, CN_BODY_DYNAMIC, x, y + height + above, 0.0f);
 		cn_shape_def def = fixture_shape_def(boxes[i], friction, 0.0f);
 		def.density_kgpm2 = i < count ? 1.0f : powf(10.0f, fixture_random(&seed, 3.0f, 6.0f));
 		fixture_box_shape(world, &def, fixture_random(&seed, 0.4f, 0.7f), height);
