@@ -49,8 +49,9 @@ void cni_component_release(cn_world *world, cni_sparse *sparse, cni_component *c
 {
 	for (int32_t k = c->begin; k < c->end; ++k)
 		if (sparse->nodes[k].owner >= 0) {
-			cni_joint_constraints(world)[sparse->nodes[k].owner].flags &= ~(uint32_t)CNI_CONSTRAINT_DIRECT;
-			cni_joint_constraints(world)[sparse->nodes[k].owner].active_row = cni_joint_constraints(world)[sparse->nodes[k].owner].idle_row = CNI_NONE;
+			cni_joint_constraint *w = &cni_joint_constraints(world)[sparse->nodes[k].owner];
+			w->flags &= ~(uint32_t)CNI_CONSTRAINT_DIRECT;
+			w->active_row = w->idle_row = CNI_NONE;
 		}
 	c->uses_rattle = 0;
 	c->done = 1;

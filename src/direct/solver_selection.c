@@ -407,7 +407,7 @@ static int32_t island_stays(cn_world *world, int32_t island, float h)
 		return 0;
 	if (i->tier != CNI_TIER_DIRECT) {
 		if (i->reason == CN_TIER_REASON_NO_SET) /* a part of it, or a pass, had none: the others may press by any force */
-			cni_island_limit_impulses(world, i);
+			(void)cni_island_limit_impulses(world, i);
 		return 0;
 	}
 	if (!i->awake) {

@@ -66,8 +66,8 @@ int32_t cni_island_split(cn_world *world, int32_t island);
 void cni_body_wake(cn_world *world, int32_t body);
 /* Wakes every dynamic body that touches the body or is jointed to it. */
 void cni_body_wake_neighbours(cn_world *world, int32_t body);
-/* Limits the contact impulses of an awake island to what soft constraints may start with, once a step. O(contacts). */
-void cni_island_limit_impulses(cn_world *world, cni_island *island);
+/* Limits the contact impulses of an awake island to what soft constraints may start with, once a step. O(contacts). 0: not awake, or done. */
+int32_t cni_island_limit_impulses(cn_world *world, cni_island *island);
 /* ... once a body moves that contacts press harder than that. */
 void cni_island_let_go(cn_world *world, cni_island *island, cni_vec2 frame);
 /* Before a body is destroyed, disabled or changes its type: wakes its neighbours and limits the impulses of their islands, of contacts and of joints

@@ -38,11 +38,11 @@ static void lane_limit(const cn_world *world, int32_t slot, float speed_most)
 	cni_block_scale_impulses(cni_block_at(world, slot / CNI_LANES), slot % CNI_LANES, speed_most / speed);
 }
 
-void cni_island_limit_impulses(cn_world *world, cni_island *island)
+int32_t cni_island_limit_impulses(cn_world *world, cni_island *island)
 {
 	float speed_most = cni_soft_speed_most(world);
 	if (!island->awake || island->limited_step == world->step_count + 1)
-		return;
+		return 0;
 	island->limited_step = world->step_count + 1;
 	for (int32_t body = island->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
 		for (int32_t key = cni_body_at(world, body)->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
@@ -50,6 +50,7 @@ void cni_island_limit_impulses(cn_world *world, cni_island *island)
 			if (cni_contact_has_lane(c) && (body == c->body[0] || !cni_is_dynamic(world, c->body[0])))
 				lane_limit(world, c->slot, speed_most);
 		}
+	return 1;
 }
 
 /* 1: a body that contacts press beyond that moves. */
@@ -74,7 +75,7 @@ void cni_island_let_go(cn_world *world, cni_island *island, cni_vec2 frame)
 {
 	if (!pressed_body_moves(world, island, frame))
 		return;
-	cni_island_limit_impulses(world, island);
+	(void)cni_island_limit_impulses(world, island);
 	island->given_step = 0;
 }
 
@@ -110,9 +111,8 @@ static void neighbour_limit(cn_world *world, int32_t body)
 		return;
 	}
 	cni_island *i = cni_island_at(world, island);
-	if (!i->awake || i->limited_step == world->step_count + 1)
+	if (!cni_island_limit_impulses(world, i))
 		return;
-	cni_island_limit_impulses(world, i);
 	for (int32_t k = i->first; k != CNI_NONE; k = cni_body_at(world, k)->island_next)
 		joints_limit(world, cni_body_at(world, k));
 }

@@ -93,7 +93,6 @@ static void t_heaps_of_figures_come_to_rest(void)
 		asleep += fixture_counters(world).bodies_awake == 0;
 		cn_world_destroy(world);
 	}
-	printf("  asleep: %d\n", (int)asleep);
 	CHECK_GE("heaps of 16 that sleep after 20 s", asleep, HEAPS - 3, "");
 }
 
