@@ -51,7 +51,7 @@ static int32_t may_lose_digits(const cn_world *world, const cni_component *c, co
 	return most * c->heaviest > CNI_BATCH_MASS_RATIO;
 }
 
-int32_t cni_component_is_batched(const cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c, int32_t has_heavy)
+int32_t cni_component_is_batched(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c, int32_t has_heavy)
 {
 	uint32_t parts = 0;
 	int32_t k, fast = has_heavy, struck = 0;
@@ -69,9 +69,8 @@ int32_t cni_component_is_batched(const cn_world *world, const cni_solve *s, cni_
 	}
 	if (parts != 0 && struck)
 		return 0;
-	c->snaps = fast && parts == 0;
 	cni_geometric_stiffness_find_pins(world, sparse, c, s->h);
-	return !cni_geometric_stiffness_needs_dampers(world, sparse, c, s->h);
+	return cni_geometric_stiffness_needs_dampers(world, sparse, c, s->h) ? 0 : fast && parts == 0 ? 2 : 1;
 }
 
 /* ---- building batches ---- */
@@ -80,7 +79,6 @@ typedef struct batch_builder {
 	cn_world *world;
 	const cni_solve *s;
 	cni_sparse *sparse;
-	cni_lane_spring spring;
 	int32_t waiting[CNI_TOPOLOGY_CLASSES];    /* components of the class that are to be in batches */
 	int32_t example[CNI_TOPOLOGY_CLASSES];    /* one of them */
 	int32_t others;                           /* joints that may get lanes outside of batches */
@@ -205,17 +203,6 @@ static cni_tree_batch *batch_open(batch_builder *m, const cni_component *c)
 	return batch;
 }
 
-static void lane_fill(batch_builder *m, const cni_component *c, cni_tree_batch *batch)
-{
-	int32_t k, l = batch->lanes++;
-	for (k = 0; k < batch->tree.nodes; ++k) {
-		int32_t owner = m->sparse->nodes[c->begin + k].owner;
-		cni_joint_constraints(m->world)[owner].flags |= CNI_CONSTRAINT_BATCHED;
-		cni_joint_lane_fill(m->world, m->s, &m->spring, owner, &batch->nodes[k], l);
-		batch->nodes[k].direct |= 1u << l;
-	}
-}
-
 static void component_place(batch_builder *m, cni_component *c)
 {
 	cni_tree_batch **open = &m->open[c->kind];
@@ -228,8 +215,8 @@ static void component_place(batch_builder *m, cni_component *c)
 	if (*open == NULL)
 		*open = batch_open(m, c);
 	c->batch = (int32_t)(*open - m->sparse->batches);
-	c->lane = (*open)->lanes;
-	lane_fill(m, c, *open);
+	c->lane = (*open)->lanes++;
+	(*open)->node_begin[c->lane] = c->begin;
 	if ((*open)->lanes == CNI_LANES)
 		*open = NULL;
 }
@@ -251,35 +238,62 @@ static void batch_range(void *context, int32_t begin, int32_t end)
 }
 
 /* By the widest kernel that this build and this processor have. */
-static void batches_run(cn_world *world, const cni_solve *s, int32_t pass, float rate, float opening_speed, float turn_least)
+static void batches_run(cn_world *world, const cni_solve *s, cni_team *team, int32_t pass, float rate, float opening_speed, float turn_least)
 {
 	const cni_tree_batch_kernel *kernel = CNI_WIDEST(&cni_tree_batch_kernel_plain, &cni_tree_batch_kernel_4, &cni_tree_batch_kernel_8);
 	batch_loop loop = { NULL, (*kernel)[pass], { cni_motions(world), cni_starts(world), { s->h, s->inv_h, s->warm_scale, s->joint, s->restless_speed }, rate, s->push_speed, opening_speed, turn_least } };
 	if (s->direct == NULL || s->direct->batch_count == 0)
 		return;
 	loop.batches = s->direct->batches;
-	cni_team_for(s->team, s->direct->batch_count, 1, batch_range, &loop);
+	cni_team_for(team, s->direct->batch_count, 1, batch_range, &loop);
 }
 
 void cni_tree_batches_run(cn_world *world, const cni_solve *s, int32_t pass)
 {
-	batches_run(world, s, pass, s->joint_error_rate, 0.0f, 0.0f);
+	batches_run(world, s, s->team, pass, s->joint_error_rate, 0.0f, 0.0f);
 }
 
 void cni_tree_batches_project(cn_world *world, const cni_solve *s, float opening_speed, int32_t bias)
 {
-	batches_run(world, s, CNI_TREES_PROJECT, bias ? s->joint_error_rate : 0.0f, opening_speed, bias ? CNI_PROJECTION_TURN_RAD * s->inv_h : FLT_MAX);
+	batches_run(world, s, s->team, CNI_TREES_PROJECT, bias ? s->joint_error_rate : 0.0f, opening_speed, bias ? CNI_PROJECTION_TURN_RAD * s->inv_h : FLT_MAX);
 }
 
-void cni_tree_batches_make(cn_world *world, const cni_solve *s, cni_sparse *sparse)
+typedef struct fill_loop {
+	cn_world *world;
+	const cni_solve *s;
+	cni_sparse *sparse;
+} fill_loop;
+
+static void lane_fill(const fill_loop *f, cni_lane_spring *spring, cni_tree_batch *batch, int32_t lane)
 {
-	batch_builder m = { world, s, sparse, { 0.0f, 0.0f, { 0.0f, 0.0f, 1.0f } }, { 0 }, { 0 }, 0, { NULL }, NULL };
+	for (int32_t k = 0; k < batch->tree.nodes; ++k) {
+		int32_t owner = f->sparse->nodes[batch->node_begin[lane] + k].owner;
+		cni_joint_constraints(f->world)[owner].flags |= CNI_CONSTRAINT_BATCHED;
+		cni_joint_lane_fill(f->world, f->s, spring, owner, &batch->nodes[k], lane);
+		batch->nodes[k].direct |= 1u << lane;
+	}
+}
+
+static void fill_range(void *context, int32_t begin, int32_t end)
+{
+	const fill_loop *f = (const fill_loop *)context;
+	cni_lane_spring spring = { 0.0f, 0.0f, { 0.0f, 0.0f, 1.0f } };
+	for (int32_t k = begin; k < end; ++k)
+		for (int32_t l = 0; l < f->sparse->batches[k].lanes; ++l)
+			lane_fill(f, &spring, &f->sparse->batches[k], l);
+}
+
+void cni_tree_batches_make(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_team *team)
+{
+	batch_builder m = { world, s, sparse, { 0 }, { 0 }, 0, { NULL }, NULL };
+	fill_loop f = { world, s, sparse };
 	waiting_count(&m);
 	batches_reserve(&m);
 	for (int32_t k = 0; k < sparse->component_count; ++k)
 		if (sparse->components[k].batches)
 			component_place(&m, &sparse->components[k]);
-	cni_tree_batches_run(world, s, CNI_TREES_BEGIN);
+	cni_team_for(team, sparse->batch_count, 1, fill_range, &f);
+	batches_run(world, s, team, CNI_TREES_BEGIN, s->joint_error_rate, 0.0f, 0.0f);
 }
 
 /* ---- a lane as a component of its own ---- */

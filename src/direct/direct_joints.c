@@ -17,6 +17,8 @@
 
 #include <string.h>
 
+#define SHARED_JOINTS 256 /* awake: components of fewer are judged before a worker is awake */
+
 /* ---- the components of a step ---- */
 
 /* Work of a step, in the units of work_budget. */
@@ -323,14 +325,15 @@ static void passes_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse
 	cni_component *c = &sparse->components[component];
 	int32_t single = cni_component_is_single(c), has_heavy = single && sparse->nodes[c->begin].rows == 0 ? 0 : cni_heavy_contacts_list(world, s, sparse, component);
 	if (single && !has_heavy) {
+		c->batches = 0;
 		cni_component_release(world, sparse, c);
 		return;
 	}
-	c->batches = CNI_ON(TREE_BATCHES) && cni_component_is_batched(world, s, sparse, c, has_heavy);
-	if (!c->batches) {
-		c->kind = CNI_NONE;
-		c->pending = 1;
-	}
+	if (c->batches && has_heavy)
+		c->batches = cni_component_is_batched(world, s, sparse, c, 1);
+	c->snaps = c->batches == 2;
+	c->pending = !c->batches;
+	c->kind = c->batches ? c->kind : CNI_NONE;
 }
 
 /* Pins and welds of loops act at the middle of their gaps. At both ends of gaps that stay open, internal tension would turn the whole. */
@@ -355,8 +358,92 @@ static void components_number(const cn_world *world, const cni_sparse *sparse)
 			sparse->component_of[sparse->bodies[i]] = k;
 }
 
+typedef struct prepare_loop {
+	cn_world *world;
+	const cni_solve *s;
+	cni_sparse *sparse;
+} prepare_loop;
+
+/* What becomes of a component in this step. Soft are its joints: for a span that doubles, or for the longest; without impulses. Released are those of which
+   it has no bodies. */
+enum { CNI_FATE_SOFT, CNI_FATE_SOFT_LONG, CNI_FATE_WITHOUT_IMPULSES, CNI_FATE_RELEASED, CNI_FATE_RATTLE, CNI_FATE_PASSES };
+
+static int32_t fate_of(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c)
+{
+	float gap = gaps_find(world, s, sparse, c);
+	c->uses_rattle = c->uses_rattle && (c->loops || !c->closes_fast); /* it closes gaps at once */
+	if (is_torn(s, gap))
+		return CNI_FATE_SOFT;
+	if (is_contradictory(world, sparse, c) || is_squeezed(world, sparse, c))
+		return CNI_FATE_WITHOUT_IMPULSES;
+	if (loop_is_better_soft(world, sparse, c))
+		return CNI_FATE_SOFT_LONG;
+	if (is_open_loop(world, s, sparse, c, gap))
+		return c->uses_rattle ? CNI_FATE_SOFT : CNI_FATE_SOFT_LONG;
+	if (cni_component_is_pulled(world, s, sparse, c) || is_ill_scaled(world, s, sparse, c, gap) || is_overstretched(world, s, sparse, c))
+		return CNI_FATE_SOFT;
+	return c->body_begin == c->body_end ? CNI_FATE_RELEASED : c->uses_rattle ? CNI_FATE_RATTLE : CNI_FATE_PASSES;
+}
+
+/* Writes what belongs to the component alone. */
+static void component_judge(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c)
+{
+	c->regular = c->has_contacts ? CNI_REGULARIZATION_CONTACTS : c->loops ? CNI_REGULARIZATION_LOOPS : 0.0f;
+	c->uses_rattle = CNI_ON(RATTLE) && !c->has_contacts && cni_component_uses_rattle(world, s, sparse, c);
+	c->fate = fate_of(world, s, sparse, c);
+	if (c->fate == CNI_FATE_RATTLE)
+		rattle_begin(world, s, sparse, c);
+	c->batches = c->fate == CNI_FATE_PASSES && CNI_ON(TREE_BATCHES) ? cni_component_is_batched(world, s, sparse, c, 0) : 0;
+}
+
+/* Those at kinematic bodies, whose rotations they share, are left to one worker. */
+static void judge_range(void *context, int32_t begin, int32_t end)
+{
+	const prepare_loop *l = (const prepare_loop *)context;
+	for (int32_t k = begin; k < end; ++k) {
+		cni_component *c = &l->sparse->components[k];
+		if (c->done)
+			continue;
+		bodies_look(l->world, l->sparse, c);
+		if (!c->meets_kinematic)
+			component_judge(l->world, l->s, l->sparse, c);
+	}
+}
+
+/* Writes the world: contacts, what joints remember of failures, the list of heavy contacts. */
+static void component_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, int32_t component)
+{
+	cni_component *c = &sparse->components[component];
+	switch (c->fate) {
+	case CNI_FATE_SOFT: soften_for(world, sparse, c, 0); break;
+	case CNI_FATE_SOFT_LONG: soften_for(world, sparse, c, CNI_TRUST_MOST); break;
+	case CNI_FATE_WITHOUT_IMPULSES:
+		impulses_scale(world, sparse, c, 0.0f);
+		cni_component_suspend(world, sparse, c, CNI_TRUST_MOST);
+		break;
+	case CNI_FATE_RELEASED: cni_component_release(world, sparse, c); break;
+	case CNI_FATE_PASSES: passes_begin(world, s, sparse, component); break;
+	default: break;
+	}
+}
+
+/* Workers share the judgements of large steps. */
+static void components_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_team *team)
+{
+	prepare_loop l = { world, s, sparse };
+	cni_team_for(team, sparse->component_count, 8, judge_range, &l);
+	for (int32_t k = 0; k < sparse->component_count; ++k) {
+		cni_component *c = &sparse->components[k];
+		if (!c->done && c->meets_kinematic)
+			component_judge(world, s, sparse, c);
+		if (!c->done)
+			component_begin(world, s, sparse, k);
+	}
+}
+
 void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 {
+	cni_team *team = world->awake_joints.count >= SHARED_JOINTS ? world->team : NULL;
 	memset(out, 0, sizeof *out);
 	if ((world->awake_joints.count == 0 && world->direct_islands.count == 0) || world->settings.solver == CN_SOLVER_SOFT || cni_joint_lanes_need_no_plan(world))
 		return;
@@ -369,34 +456,8 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 		return;
 	s->direct = out;
 	components_number(world, out);
-	for (int32_t k = 0; k < out->component_count; ++k) {
-		cni_component *c = &out->components[k];
-		if (c->done)
-			continue;
-		c->regular = c->has_contacts ? CNI_REGULARIZATION_CONTACTS : c->loops ? CNI_REGULARIZATION_LOOPS : 0.0f;
-		bodies_look(world, out, c);
-		c->uses_rattle = CNI_ON(RATTLE) && !c->has_contacts && cni_component_uses_rattle(world, s, out, c);
-		float gap = gaps_find(world, s, out, c);
-		c->uses_rattle = c->uses_rattle && (c->loops || !c->closes_fast); /* it closes gaps at once */
-		if (is_torn(s, gap))
-			soften_for(world, out, c, 0);
-		else if (is_contradictory(world, out, c) || is_squeezed(world, out, c)) {
-			impulses_scale(world, out, c, 0.0f);
-			cni_component_suspend(world, out, c, CNI_TRUST_MOST);
-		} else if (loop_is_better_soft(world, out, c))
-			soften_for(world, out, c, CNI_TRUST_MOST);
-		else if (is_open_loop(world, s, out, c, gap))
-			soften_for(world, out, c, c->uses_rattle ? 0 : CNI_TRUST_MOST);
-		else if (cni_component_is_pulled(world, s, out, c) || is_ill_scaled(world, s, out, c, gap) || is_overstretched(world, s, out, c))
-			soften_for(world, out, c, 0);
-		else if (c->body_begin == c->body_end)
-			cni_component_release(world, out, c);
-		else if (c->uses_rattle)
-			rattle_begin(world, s, out, c);
-		else
-			passes_begin(world, s, out, k);
-	}
-	cni_tree_batches_make(world, s, out);
+	components_begin(world, s, out, team);
+	cni_tree_batches_make(world, s, out, team);
 	cni_components_list(out);
 	cni_components_run(world, s, cni_components_team(world, out, 1), pending_begin, 0);
 	cni_direct_contacts_extract(world, out);

@@ -174,6 +174,7 @@ typedef struct cni_tree_batch {
 	int32_t node_first, block_first;
 	int32_t coupling_count;
 	int32_t lanes;
+	int32_t node_begin[CNI_LANES];         /* of the tree in the lane */
 	uint32_t selected, opening;            /* lanes, as bits, of trees to check and of trees that open: see cni_projection */
 	cni_topology tree;
 	uint8_t order[CNI_TOPOLOGY_NODES];         /* nodes by colour */
@@ -201,10 +202,11 @@ extern const cni_tree_batch_kernel cni_tree_batch_kernel_plain; /* width 1: any 
 extern const cni_tree_batch_kernel cni_tree_batch_kernel_4;     /* SSE2, NEON, WASM SIMD */
 extern const cni_tree_batch_kernel cni_tree_batch_kernel_8;     /* AVX2, chosen at run time */
 
-/* 1: the component may join a batch: it is solved directly, and not by RATTLE. has_heavy: it has contacts of direct/heavy_contacts.c. */
-int32_t cni_component_is_batched(const cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c, int32_t has_heavy);
+/* 1: the component may join a batch: it is solved directly, and not by RATTLE. 2: ... and its joints may have to be locked in this step. has_heavy: it has
+   contacts of direct/heavy_contacts.c. */
+int32_t cni_component_is_batched(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c, int32_t has_heavy);
 /* Makes batches of all components whose `batches` is set; components without a batch begin as single ones. */
-void cni_tree_batches_make(cn_world *world, const cni_solve *s, cni_sparse *sparse);
+void cni_tree_batches_make(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_team *team);
 /* One of these passes over all batches. */
 void cni_tree_batches_run(cn_world *world, const cni_solve *s, int32_t pass);
 /* CNI_TREES_PROJECT: with bias, or rigid, where pins open faster than that. */

@@ -79,6 +79,7 @@ typedef struct cni_component {
 	float regular;                 /* regularization: this fraction of the diagonal is added to it */
 	int32_t uses_rattle;           /* 1: direct/rattle.c takes the bodies' whole step */
 	int32_t done;                  /* 1: finished for this step */
+	int32_t fate;                  /* how direct/direct_joints.c begins it */
 	int32_t meets_kinematic;       /* 1: one of its joints ends at a body that cannot move and is not static */
 	int32_t pending;               /* not 0: what is left to do after a loop that workers share */
 	int32_t has_contacts;          /* 1: with contacts, see direct/direct_contacts.c */
@@ -93,9 +94,9 @@ typedef struct cni_component {
 	int32_t set_changes;           /* ... how often it changed in this step */
 	int32_t damps;                 /* 1: its pins may have dampers or locks in this step: direct/geometric_stiffness.c */
 	int32_t kind;                  /* topology class or CNI_NONE: linear/topology_class.c */
-	int32_t batches;                 /* 1: solved side by side with others of its class: direct/batched_trees.c */
+	int32_t batches;                 /* not 0: solved side by side with others of its class: direct/batched_trees.c */
 	int32_t batch, lane;            /* ... where */
-	int32_t snaps;                  /* ... 1: its joints may have to be locked in this step */
+	int32_t snaps;                  /* ... 1: its joints may have to be locked in this step; known of those before in their order */
 } cni_component;
 
 /* Of a component whose joints contacts may open: direct/joint_projection.c. */
