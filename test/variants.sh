@@ -4,8 +4,8 @@
 # time, as each has a time in which it keeps one core busy only. A suite has a build folder of its own, but the first, which
 # has that of `make test`: what that built is not built again.
 #
-# Every fault is looked for once: the address and undefined-behaviour sanitizers run the whole suite; the memory sanitizer and
-# -O3 with the processor's own instructions the tests of bits, memory, calls, arguments and random scenes; the thread
+# Every fault is looked for once: the address and undefined-behaviour sanitizers run the whole suite; the memory sanitizer those of kernels, memory,
+# calls and arguments; -O3 with the processor's own instructions those of bits, memory, calls and threads, without threads; the thread
 # sanitizer and helgrind those of threads; the other builds must give the same bits (tests hold golden hashes).
 # Ends with a line of each part with its seconds, and one summed line "N passed, N failed, N skipped".
 set -u
@@ -18,8 +18,8 @@ amalgamated=$build/amalgamation/cairn.c
 command -v python3 >/dev/null 2>&1 || amalgamated=
 results=$build/parts
 # The longest first, so that the last two end together; amalgamation and release, which write the same file, apart.
-parts='clang-address cross plain amalgamation clang-memory release helgrind clang-thread native ablation no-threads
-	embedded work header-cxx header-padding check-links check-peers check-docs testbed-web mutations-apply'
+parts='clang-address cross plain amalgamation clang-memory release embedded clang-thread native helgrind
+	ablation work header-cxx header-padding check-links check-peers check-docs testbed-web mutations-apply'
 
 # ---------------------------------------------------------------- of one part
 
@@ -250,17 +250,16 @@ no_fused_operations() { # object
 	if objdump -d --no-show-raw-insn "$1" | grep -m 3 -E "[[:space:]]vfn?m(add|sub)"; then return 1; fi
 	objdump -d --no-show-raw-insn "$1" | grep -q '%ymm' # for a processor that has them
 }
-# With all instructions of this processor, or of one that has fused operations.
+# Without threads, with all instructions of this processor, or of one that has fused operations.
 native() {
-	arch=native
-	grep -qw fma /proc/cpuinfo || arch=x86-64-v3
-	if [ $arch = native ]; then
-		suite native gcc '-O3 -march=native' '' "$bits $calls"
-	else
-		mkdir -p "$build/native/checked"
-		gcc -std=c99 -O3 -march=$arch -ffp-contract=off -c "$amalgamated" -o "$build/native/checked/cairn.o"
+	object=$build/native/checked/cairn.o arch=-march=native
+	grep -qw fma /proc/cpuinfo || arch=
+	suite native gcc "-O3 $arch" '-DCNI_DEBUG -DCN_NO_THREADS' "$bits $calls $threads"
+	if [ -z "$arch" ]; then
+		object=$build/native/fused.o
+		gcc -std=c99 -O3 -march=x86-64-v3 -ffp-contract=off -c "$amalgamated" -o "$object"
 	fi
-	if [ "$(uname -m)" = x86_64 ] && [ -n "$amalgamated" ]; then check no-fused no_fused_operations "$build/native/checked/cairn.o"; else add no-fused 0 0 1; fi
+	if [ "$(uname -m)" = x86_64 ] && [ -n "$amalgamated" ]; then check no-fused no_fused_operations "$object"; else add no-fused 0 0 1; fi
 }
 
 sanitize='-O1 -gline-tables-only -fno-omit-frame-pointer -fno-sanitize-recover=all'
@@ -268,8 +267,8 @@ sanitize='-O1 -gline-tables-only -fno-omit-frame-pointer -fno-sanitize-recover=a
 address='-fsanitize=address,undefined -fno-sanitize=null,object-size,pointer-overflow'
 slow='-DCNI_DEBUG -DTEST_SLOW' # a build that is slow: fewer scenes of a kind
 threads='base/threads broadphase/broadphase_threads world/threads world/threads_contacts world/threads_pairs'
-bits='world/determinism world/random collision/manifold_batch step/integrate joints/joint_blocks joints/joint_nets
-	narrowphase/cull'
+kernels='collision/manifold_batch step/integrate joints/joint_blocks joints/joint_nets narrowphase/cull'
+bits="world/determinism world/random $kernels"
 # What sleeps, wakes, is saved or checked.
 small='world/sleep world/sleep_slow world/wake world/body_state world/events_pair world/validate save/save save/save_delta save/file_hostile
 	world/memory_block world/calls world/random world/determinism'
@@ -281,11 +280,10 @@ calls='base/memory base/arena base/blocks base/table base/handles collision/mani
 run_part() {
 	case $part in
 		plain) plain ;;
-		clang-address) suite clang-address clang-19 "$sanitize $address" "$slow" ;;
-		clang-memory) suite clang-memory clang-19 "$sanitize -fsanitize=memory" "$slow -DTEST_EMULATED" "$bits $calls" ;;
+		clang-address) suite clang-address clang-19 "$sanitize $address" "$slow -DTEST_EMULATED" ;;
+		clang-memory) suite clang-memory clang-19 "$sanitize -fsanitize=memory" "$slow -DTEST_EMULATED" "$kernels $calls" ;;
 		clang-thread) suite clang-thread clang-19 "-O1 -gline-tables-only -fno-omit-frame-pointer -fsanitize=thread" "$slow" "$threads" ;;
 		helgrind) helgrind ;;
-		no-threads) suite no-threads gcc '-O1' '-DCNI_DEBUG -DCN_NO_THREADS' "$threads $bits world/memory world/memory_block" ;;
 		native) native ;;
 		header-cxx) if command -v g++ >/dev/null 2>&1; then check header-cxx header_in_cxx; else add header-cxx 0 0 1; fi ;;
 		header-padding) check header-padding header_without_padding ;;
