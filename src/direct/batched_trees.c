@@ -70,7 +70,7 @@ int32_t cni_component_is_batched(const cn_world *world, const cni_solve *s, cni_
 	if (parts != 0 && struck)
 		return 0;
 	cni_geometric_stiffness_find_pins(world, sparse, c, s->h);
-	return cni_geometric_stiffness_needs_dampers(world, sparse, c, s->h) ? 0 : fast && parts == 0 ? 2 : 1;
+	return cni_geometric_stiffness_needs_dampers(world, sparse, c, s->h) ? CNI_NOT_BATCHED : fast && parts == 0 ? CNI_BATCHED_MAY_LOCK : CNI_BATCHED;
 }
 
 /* ---- building batches ---- */

@@ -19,7 +19,7 @@ void cni_components_list(cni_sparse *sparse)
 	for (int32_t serial = 0; serial < 2; ++serial) {
 		for (int32_t k = 0; k < sparse->component_count; ++k) {
 			const cni_component *c = &sparse->components[k];
-			if (c->done || (c->batches && !c->snaps) || is_serial(c) != serial)
+			if (c->done || c->batches == CNI_BATCHED || is_serial(c) != serial)
 				continue;
 			sparse->alone[sparse->alone_count++] = k;
 			sparse->alone_work += c->work;

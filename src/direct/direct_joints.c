@@ -320,10 +320,10 @@ static void rattle_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse
 }
 
 /* The passes of a substep; a single joint with the world needs them for heavy contacts alone. */
-static void passes_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, int32_t component)
+static void passes_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, int32_t component, int32_t has_company)
 {
 	cni_component *c = &sparse->components[component];
-	int32_t single = cni_component_is_single(c), has_heavy = single && sparse->nodes[c->begin].rows == 0 ? 0 : cni_heavy_contacts_list(world, s, sparse, component);
+	int32_t single = cni_component_is_single(c), has_heavy = single && sparse->nodes[c->begin].rows == 0 ? 0 : cni_heavy_contacts_list(world, s, sparse, component, has_company);
 	if (single && !has_heavy) {
 		c->batches = 0;
 		cni_component_release(world, sparse, c);
@@ -331,7 +331,6 @@ static void passes_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse
 	}
 	if (c->batches && has_heavy)
 		c->batches = cni_component_is_batched(world, s, sparse, c, 1);
-	c->snaps = c->batches == 2;
 	c->pending = !c->batches;
 	c->kind = c->batches ? c->kind : CNI_NONE;
 }
@@ -411,7 +410,7 @@ static void judge_range(void *context, int32_t begin, int32_t end)
 }
 
 /* Writes the world: contacts, what joints remember of failures, the list of heavy contacts. */
-static void component_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, int32_t component)
+static void component_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, int32_t component, int32_t has_company)
 {
 	cni_component *c = &sparse->components[component];
 	switch (c->fate) {
@@ -422,7 +421,7 @@ static void component_begin(cn_world *world, const cni_solve *s, cni_sparse *spa
 		cni_component_suspend(world, sparse, c, CNI_TRUST_MOST);
 		break;
 	case CNI_FATE_RELEASED: cni_component_release(world, sparse, c); break;
-	case CNI_FATE_PASSES: passes_begin(world, s, sparse, component); break;
+	case CNI_FATE_PASSES: passes_begin(world, s, sparse, component, has_company); break;
 	default: break;
 	}
 }
@@ -431,13 +430,19 @@ static void component_begin(cn_world *world, const cni_solve *s, cni_sparse *spa
 static void components_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_team *team)
 {
 	prepare_loop l = { world, s, sparse };
+	int32_t batched[CNI_TOPOLOGY_CLASSES] = { 0 };
 	cni_team_for(team, sparse->component_count, 8, judge_range, &l);
 	for (int32_t k = 0; k < sparse->component_count; ++k) {
 		cni_component *c = &sparse->components[k];
 		if (!c->done && c->meets_kinematic)
 			component_judge(world, s, sparse, c);
+		if (!c->done && c->batches)
+			++batched[c->kind];
+	}
+	for (int32_t k = 0; k < sparse->component_count; ++k) {
+		cni_component *c = &sparse->components[k];
 		if (!c->done)
-			component_begin(world, s, sparse, k);
+			component_begin(world, s, sparse, k, c->batches && batched[c->kind] > 1);
 	}
 }
 

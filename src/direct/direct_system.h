@@ -202,8 +202,7 @@ extern const cni_tree_batch_kernel cni_tree_batch_kernel_plain; /* width 1: any 
 extern const cni_tree_batch_kernel cni_tree_batch_kernel_4;     /* SSE2, NEON, WASM SIMD */
 extern const cni_tree_batch_kernel cni_tree_batch_kernel_8;     /* AVX2, chosen at run time */
 
-/* 1: the component may join a batch: it is solved directly, and not by RATTLE. 2: ... and its joints may have to be locked in this step. has_heavy: it has
-   contacts of direct/heavy_contacts.c. */
+/* Whether the component may join a batch (CNI_BATCHED): it is solved directly, and not by RATTLE. has_heavy: it has contacts of direct/heavy_contacts.c. */
 int32_t cni_component_is_batched(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c, int32_t has_heavy);
 /* Makes batches of all components whose `batches` is set; components without a batch begin as single ones. */
 void cni_tree_batches_make(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_team *team);

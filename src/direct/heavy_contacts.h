@@ -71,8 +71,8 @@ static inline float *cni_heavy_restitution(const cn_world *world, int32_t contac
 /* As many contacts of a component as there is work for: each of them solves its system several times a step, so the larger the system,
    the fewer. */
 int32_t cni_heavy_contacts_most(const cni_sparse *sparse, const cni_component *c);
-/* Lists those of a component. 0: it has none. */
-int32_t cni_heavy_contacts_list(const cn_world *world, const cni_solve *s, cni_sparse *sparse, int32_t component);
+/* Lists those of a component. batchable 1: without them it is in a batch with others. 0: it has none. */
+int32_t cni_heavy_contacts_list(const cn_world *world, const cni_solve *s, cni_sparse *sparse, int32_t component, int32_t batchable);
 /* Finds the response of the joints; after cni_projection_mark. */
 void cni_heavy_contacts_find(cn_world *world, const cni_solve *s);
 /* One pass over them, after the joints. */

@@ -93,15 +93,6 @@ static int32_t is_squeezed(const cn_world *world, const cni_solve *s, int32_t co
 	return bears(block, l, CNI_HEAVY_LIKE_STRESS * cni_length(world->settings.gravity) * s->h);
 }
 
-/* 1: the component could be in a batch with others of its class that have no contacts that are solved here. */
-static int32_t is_batchable(const cni_sparse *sparse, const cni_component *c)
-{
-	for (int32_t k = 0; k < sparse->component_count && c->kind != CNI_NONE; ++k)
-		if (sparse->components[k].kind == c->kind && !sparse->components[k].snaps && &sparse->components[k] != c)
-			return 1;
-	return 0;
-}
-
 /* 1: nothing holds the body. */
 static int32_t is_free(const cn_world *world, int32_t index)
 {
@@ -157,16 +148,15 @@ static int32_t may_break(const cn_world *world, const cni_sparse *sparse, const 
 	return 0;
 }
 
-int32_t cni_heavy_contacts_list(const cn_world *world, const cni_solve *s, cni_sparse *sparse, int32_t component)
+int32_t cni_heavy_contacts_list(const cn_world *world, const cni_solve *s, cni_sparse *sparse, int32_t component, int32_t batchable)
 {
 	const cni_component *c = &sparse->components[component];
-	int32_t k, first = sparse->heavy_count, most, slow, batchable;
+	int32_t k, first = sparse->heavy_count, most, slow;
 	float ratio;
 	if (!CNI_ON(HEAVY_CONTACTS) || !CNI_ON(JOINT_PROJECTION) || c->mass_ratio > CNI_ILL_MASS_RATIO)
 		return 0;
 	if (c->has_contacts || c->touched == 0 || may_break(world, sparse, c))
 		return 0;
-	batchable = is_batchable(sparse, c);
 	ratio = batchable || cni_component_is_single(c) ? CNI_SELECTION_MASS_RATIO : 1.0f; /* else only bodies that may crush its own: ragdolls would take 4 times as long as soft ones instead of 2.1 times */
 	slow = (!batchable || blocks_of(sparse, c) <= CNI_HEAVY_SLOW_BLOCKS) && cni_component_is_slow(world, sparse, c);
 	most = cni_min_i(first + cni_heavy_contacts_most(sparse, c), cni_heavy_contacts_room(world->touching_count, world->awake_joints.count));

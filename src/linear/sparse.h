@@ -61,6 +61,9 @@ typedef struct cni_coupling {
 	uint8_t reserved[2];
 } cni_coupling;
 
+/* Of a component that is in no batch, in one, or in one while its joints may have to be locked in this step. */
+enum { CNI_NOT_BATCHED, CNI_BATCHED, CNI_BATCHED_MAY_LOCK };
+
 /* A connected component: positions [begin, end) have no coupling to other positions. */
 typedef struct cni_component {
 	int32_t begin, end;
@@ -94,9 +97,8 @@ typedef struct cni_component {
 	int32_t set_changes;           /* ... how often it changed in this step */
 	int32_t damps;                 /* 1: its pins may have dampers or locks in this step: direct/geometric_stiffness.c */
 	int32_t kind;                  /* topology class or CNI_NONE: linear/topology_class.c */
-	int32_t batches;                 /* not 0: solved side by side with others of its class: direct/batched_trees.c */
+	int32_t batches;                 /* CNI_BATCHED: solved side by side with others of its class: direct/batched_trees.c */
 	int32_t batch, lane;            /* ... where */
-	int32_t snaps;                  /* ... 1: its joints may have to be locked in this step; known of those before in their order */
 } cni_component;
 
 /* Of a component whose joints contacts may open: direct/joint_projection.c. */

@@ -28,7 +28,7 @@ static const golden goldens[] = {
 	{ "small_200", 300, 1, 0xe216f521a4dfe85e },
 	{ "small_50_sleep", 600, 1, 0x9a4e05f82fde73b7 },
 	{ "dominoes", 400, 1, 0x7410bcc4c51d0675 },
-	{ "ragdolls", 480, 1, 0x9a8abeb35a2f3fc0 },
+	{ "ragdolls", 480, 1, 0x79bbc97ee284f9fc },
 	{ "bridge", 240, 1, 0x405f86f0ffbe711a },
 	{ "car", 400, 1, 0x207b722fb5e67c25 },
 	{ "mixer", 240, 1, 0x7474ddb540fd6ed1 },
