@@ -87,6 +87,15 @@ void cni_component_start(cn_world *world, cni_sparse *sparse, const cni_componen
 /* After the loop: the joints of a component that failed are soft. */
 void cni_component_give_up(cn_world *world, cni_sparse *sparse, cni_component *c);
 
+/* ---- what becomes of them: direct/component_fate.c ---- */
+
+/* Soft for a span that doubles with each failure, or for the longest one; soft without impulses; left to the soft solver, as there is no body; RATTLE; the
+   passes of a substep. */
+enum { CNI_FATE_SOFT, CNI_FATE_SOFT_LONG, CNI_FATE_WITHOUT_IMPULSES, CNI_FATE_RELEASED, CNI_FATE_RATTLE, CNI_FATE_PASSES };
+
+/* Sets the fate of each component that is not done, and whether batches may take it. Workers of the team share the loop. */
+void cni_components_judge(cn_world *world, const cni_solve *s, cni_team *team);
+
 /* ---- loops over components: direct/component_loop.c ---- */
 
 typedef void cni_component_fn(cn_world *world, const cni_solve *s, cni_component *c, int32_t argument);

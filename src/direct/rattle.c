@@ -26,7 +26,7 @@
  *
  * A taut rope is a rod until it pushes. A loose one becomes taut before the substep that would make it too long.
  *
- * Loops with redundant joints are not for RATTLE: rattle_begin in direct/direct_joints.c.
+ * Loops with redundant joints are not for RATTLE: rattle_begin in direct/component_fate.c.
  *
  * Reads joint constraints, externals, motion; writes motion, start, rows and flags of joint constraints, flags of externals.
  */

@@ -82,7 +82,7 @@ typedef struct cni_component {
 	float regular;                 /* regularization: this fraction of the diagonal is added to it */
 	int32_t uses_rattle;           /* 1: direct/rattle.c takes the bodies' whole step */
 	int32_t done;                  /* 1: finished for this step */
-	int32_t fate;                  /* how direct/direct_joints.c begins it */
+	int32_t fate;                  /* CNI_FATE_: direct/component_fate.c */
 	int32_t meets_kinematic;       /* 1: one of its joints ends at a body that cannot move and is not static */
 	int32_t pending;               /* not 0: what is left to do after a loop that workers share */
 	int32_t has_contacts;          /* 1: with contacts, see direct/direct_contacts.c */

@@ -2,7 +2,7 @@
  * test/world/bridges_test.c - straight bridges between fixed ends, whose joints are nearly redundant: they rest, throw no discs, and are not
  * thrown when they are welded, assembled with gaps, or have planks that are pulled or dragged.
  *
- * If a test here fails, run world/redundant_joints first. Then look at loop_is_better_soft and is_open_loop in direct/direct_joints.c.
+ * If a test here fails, run world/redundant_joints first. Then look at loop_is_better_soft and is_open_loop in direct/component_fate.c.
  */
 #include "direct.h"
 

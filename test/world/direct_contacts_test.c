@@ -4,7 +4,7 @@
  * hold.
  *
  * If a test here fails, run linear/sparse and world/direct first. Then look in: direct/solver_selection.c and direct_contacts.c,
- * joint_projection.c (hard stops), direct_joints.c (loaded bridges), heavy_contacts.c (light boards and arms, chains in heaps).
+ * joint_projection.c (hard stops), component_fate.c (loaded bridges), heavy_contacts.c (light boards and arms, chains in heaps).
  */
 #include "direct.h"
 

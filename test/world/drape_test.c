@@ -2,7 +2,7 @@
  * test/world/drape_test.c - nets of rods that fall over a fixed disc onto a floor, or that moving ends drag over discs, gain no energy: loops of rods
  * that touch something, fold, turn fast and become straight, at 30 and 60 Hz.
  *
- * If one is thrown, look at gains_energy and cni_component_start in direct/component.c, and at is_overstretched in direct/direct_joints.c.
+ * If one is thrown, look at gains_energy and cni_component_start in direct/component.c, and at is_overstretched in direct/component_fate.c.
  */
 #include "joints.h"
 

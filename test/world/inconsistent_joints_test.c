@@ -3,7 +3,7 @@
  * a grid is put elsewhere, limits of a loop exclude each other, a press comes down on a frame, handles pull a chain too far.
  *
  * If a test here fails, look at closings_bound in direct/component.c, cni_joint_rows_centre in joints/joint_constraint.c, then at is_contradictory
- * and is_squeezed in direct/direct_joints.c, at cni_component_is_pulled and, in direct/rattle.c, at pull_fits.
+ * and is_squeezed in direct/component_fate.c, at cni_component_is_pulled and, in direct/rattle.c, at pull_fits.
  */
 #include "direct.h"
 

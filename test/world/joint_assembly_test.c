@@ -2,8 +2,8 @@
  * test/world/joint_assembly_test.c - many bodies on revolute joints and rods: chains, a grid, a bridge, ragdolls, and
  * what flies freely. Anchors stay together, reactions carry what hangs below, momentum is kept, no energy comes in.
  *
- * If a test here fails, look first in: joints/joint_solve.c, joint_blocks.c, then rattle.c and direct_joints.c (which
- * of them are solved together).
+ * If a test here fails, look first in: joints/joint_solve.c, joint_blocks.c, then rattle.c and component_fate.c (which
+ * of them are exact).
  */
 #include "joints.h"
 #include "scenes/build.h"

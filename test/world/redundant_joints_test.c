@@ -2,7 +2,7 @@
  * test/world/redundant_joints_test.c - joints that say the same as others, or contradict them: coupled wheels, trusses, welded arches,
  * parts that are held beyond a limit, or joined in play; chains on kinematic bodies. Straight bridges: world/bridges.
  *
- * If a test here fails, run world/direct and world/mechanism first. Then look at rattle_begin and is_contradictory in direct/direct_joints.c, and
+ * If a test here fails, run world/direct and world/mechanism first. Then look at rattle_begin and is_contradictory in direct/component_fate.c, and
  * at cni_sparse_is_redundant in linear/sparse_solve.c.
  */
 #include "direct.h"

@@ -3,7 +3,7 @@
  * and taut.
  *
  * If a test here fails, run world/direct first. Then look at ropes_switch in direct/rattle.c, and at
- * is_open_loop in direct/direct_joints.c.
+ * is_open_loop in direct/component_fate.c.
  */
 #include "direct.h"
 
