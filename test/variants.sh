@@ -4,7 +4,7 @@
 # time, as each has a time in which it keeps one core busy only. A suite has a build folder of its own, but the first, which
 # has that of `make test`: what that built is not built again.
 #
-# Every fault is looked for once: the address and undefined-behaviour sanitizers run the whole suite; the memory sanitizer those of kernels, memory,
+# Every fault is looked for once: the address and undefined-behaviour sanitizers run the whole suite; the memory sanitizer those of kernels, memory, random scenes,
 # calls and arguments; -O3 with the processor's own instructions those of bits, memory, calls and threads, without threads; the thread
 # sanitizer and helgrind those of threads; the other builds must give the same bits (tests hold golden hashes).
 # Ends with a line of each part with its seconds, and one summed line "N passed, N failed, N skipped".
@@ -280,8 +280,8 @@ calls='base/memory base/arena base/blocks base/table base/handles collision/mani
 run_part() {
 	case $part in
 		plain) plain ;;
-		clang-address) suite clang-address clang-19 "$sanitize $address" "$slow -DTEST_EMULATED" ;;
-		clang-memory) suite clang-memory clang-19 "$sanitize -fsanitize=memory" "$slow -DTEST_EMULATED" "$kernels $calls" ;;
+		clang-address) suite clang-address clang-19 "$sanitize $address" "$slow" ;;
+		clang-memory) suite clang-memory clang-19 "$sanitize -fsanitize=memory" "$slow -DTEST_EMULATED" "$kernels world/random $calls" ;;
 		clang-thread) suite clang-thread clang-19 "-O1 -gline-tables-only -fno-omit-frame-pointer -fsanitize=thread" "$slow" "$threads" ;;
 		helgrind) helgrind ;;
 		native) native ;;

@@ -77,7 +77,6 @@ int32_t cni_component_is_batched(const cn_world *world, const cni_solve *s, cni_
 
 typedef struct batch_builder {
 	cn_world *world;
-	const cni_solve *s;
 	cni_sparse *sparse;
 	int32_t waiting[CNI_TOPOLOGY_CLASSES];    /* components of the class that are to be in batches */
 	int32_t example[CNI_TOPOLOGY_CLASSES];    /* one of them */
@@ -261,13 +260,12 @@ void cni_tree_batches_project(cn_world *world, const cni_solve *s, float opening
 typedef struct fill_loop {
 	cn_world *world;
 	const cni_solve *s;
-	cni_sparse *sparse;
 } fill_loop;
 
 static void lane_fill(const fill_loop *f, cni_lane_spring *spring, cni_tree_batch *batch, int32_t lane)
 {
 	for (int32_t k = 0; k < batch->tree.nodes; ++k) {
-		int32_t owner = f->sparse->nodes[batch->node_begin[lane] + k].owner;
+		int32_t owner = f->s->direct->nodes[batch->node_begin[lane] + k].owner;
 		cni_joint_constraints(f->world)[owner].flags |= CNI_CONSTRAINT_BATCHED;
 		cni_joint_lane_fill(f->world, f->s, spring, owner, &batch->nodes[k], lane);
 		batch->nodes[k].direct |= 1u << lane;
@@ -279,14 +277,15 @@ static void fill_range(void *context, int32_t begin, int32_t end)
 	const fill_loop *f = (const fill_loop *)context;
 	cni_lane_spring spring = { 0.0f, 0.0f, { 0.0f, 0.0f, 1.0f } };
 	for (int32_t k = begin; k < end; ++k)
-		for (int32_t l = 0; l < f->sparse->batches[k].lanes; ++l)
-			lane_fill(f, &spring, &f->sparse->batches[k], l);
+		for (int32_t l = 0; l < f->s->direct->batches[k].lanes; ++l)
+			lane_fill(f, &spring, &f->s->direct->batches[k], l);
 }
 
-void cni_tree_batches_make(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_team *team)
+void cni_tree_batches_make(cn_world *world, const cni_solve *s, cni_team *team)
 {
-	batch_builder m = { world, s, sparse, { 0 }, { 0 }, 0, { NULL }, NULL };
-	fill_loop f = { world, s, sparse };
+	batch_builder m = { world, s->direct, { 0 }, { 0 }, 0, { NULL }, NULL };
+	cni_sparse *sparse = s->direct;
+	fill_loop f = { world, s };
 	waiting_count(&m);
 	batches_reserve(&m);
 	for (int32_t k = 0; k < sparse->component_count; ++k)

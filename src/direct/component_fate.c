@@ -283,7 +283,9 @@ static void component_judge(cn_world *world, const cni_solve *s, cni_sparse *spa
 	c->fate = fate_of(world, s, sparse, c);
 	if (c->fate == CNI_FATE_RATTLE)
 		rattle_begin(world, s, sparse, c);
-	c->batches = c->fate == CNI_FATE_PASSES && CNI_ON(TREE_BATCHES) ? cni_component_is_batched(world, s, sparse, c, 0) : CNI_NOT_BATCHED;
+	c->batches = CNI_NOT_BATCHED;
+	if (CNI_ON(TREE_BATCHES) && c->fate == CNI_FATE_PASSES && !cni_component_is_single(c)) /* a single joint is released, or has heavy contacts */
+		c->batches = cni_component_is_batched(world, s, sparse, c, 0);
 }
 
 /* Those at kinematic bodies, whose rotations they share, are left to one worker. */

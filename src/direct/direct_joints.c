@@ -88,7 +88,6 @@ static void passes_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse
 	cni_component *c = &sparse->components[component];
 	int32_t single = cni_component_is_single(c), has_heavy = single && sparse->nodes[c->begin].rows == 0 ? 0 : cni_heavy_contacts_list(world, s, sparse, component, has_company);
 	if (single && !has_heavy) {
-		c->batches = CNI_NOT_BATCHED;
 		cni_component_release(world, sparse, c);
 		return;
 	}
@@ -168,7 +167,7 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 	components_number(world, out);
 	cni_components_judge(world, s, team);
 	components_begin(world, s, out);
-	cni_tree_batches_make(world, s, out, team);
+	cni_tree_batches_make(world, s, team);
 	cni_components_list(out);
 	cni_components_run(world, s, cni_components_team(world, out, 1), pending_begin, 0);
 	cni_direct_contacts_extract(world, out);

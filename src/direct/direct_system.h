@@ -214,7 +214,7 @@ extern const cni_tree_batch_kernel cni_tree_batch_kernel_8;     /* AVX2, chosen 
 /* Whether the component may join a batch (CNI_BATCHED): it is solved directly, and not by RATTLE. has_heavy: it has contacts of direct/heavy_contacts.c. */
 int32_t cni_component_is_batched(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c, int32_t has_heavy);
 /* Makes batches of all components whose `batches` is set; components without a batch begin as single ones. */
-void cni_tree_batches_make(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_team *team);
+void cni_tree_batches_make(cn_world *world, const cni_solve *s, cni_team *team);
 /* One of these passes over all batches. */
 void cni_tree_batches_run(cn_world *world, const cni_solve *s, int32_t pass);
 /* CNI_TREES_PROJECT: with bias, or rigid, where pins open faster than that. */
