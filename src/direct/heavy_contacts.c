@@ -24,7 +24,7 @@
 #include <string.h>
 
 /* Passes of a substep are numbered by their bias. */
-enum { PASS_BOUNCE = 2 };
+enum { PASS_BOUNCE = 2, PASS_AGAIN = 3 };
 
 /* ---- groups ---- */
 
@@ -224,6 +224,8 @@ static float row_target(const cni_heavy_pass *q, int32_t contact, int32_t row)
 static int32_t takes_part(const cni_heavy_pass *q, int32_t contact)
 {
 	const cni_heavy_contact *h = &q->heavies[contact];
+	if (q->pass == PASS_AGAIN && !h->is_of_free)
+		return 0;
 	return !h->is_left && (q->pass != PASS_BOUNCE || (h->is_hit && cni_heavy_bounces(h)));
 }
 
@@ -325,16 +327,16 @@ static void lane_write(const cni_heavy_pass *q, int32_t contact)
 		block->p[k].jn[p->lane] = block->p[k].load[p->lane] = p->j[k];
 }
 
-static void group_solve(cn_world *world, const cni_solve *s, cni_heavy_group *g, int32_t bias)
+static void group_solve(cn_world *world, const cni_solve *s, cni_heavy_group *g, int32_t pass)
 {
 	cni_heavy_pass q;
 	if (s->direct->components[g->component].done)
 		return;
 	cni_heavy_pass_open(&q, world, s, s->direct, g);
-	q.pass = bias;
-	if (q.c->batches && !bias)
+	q.pass = pass;
+	if (q.c->batches && !pass)
 		cni_tree_lane_system(s, q.c);
-	if (q.c->set_changes != g->set_changes || (!bias && cni_heavy_turn(&q) > g->turn_most))
+	if (q.c->set_changes != g->set_changes || (!pass && cni_heavy_turn(&q) > g->turn_most))
 		cni_heavy_response_find(&q);
 	if (impulses_find(&q))
 		impulses_apply(&q);
@@ -346,6 +348,21 @@ static void group_solve(cn_world *world, const cni_solve *s, cni_heavy_group *g,
 void cni_heavy_contacts_solve(cn_world *world, const cni_solve *s, int32_t bias)
 {
 	groups_run(world, s, s->team, group_solve, bias);
+}
+
+/* Free bodies alone, as nothing else stops them: more passes over contacts with static and jointed bodies change overlaps by chance. */
+static void group_project(cn_world *world, const cni_solve *s, cni_heavy_group *g, int32_t pass)
+{
+	int32_t k = g->begin;
+	while (k < g->end && !s->direct->heavies[k].is_of_free)
+		++k;
+	if (k < g->end && s->direct->projections[g->component].opening)
+		group_solve(world, s, g, pass);
+}
+
+void cni_heavy_contacts_project(cn_world *world, const cni_solve *s)
+{
+	groups_run(world, s, s->team, group_project, PASS_AGAIN);
 }
 
 /* ---- bounces ---- */

@@ -23,7 +23,7 @@ typedef struct cni_heavy_contact {
 	uint8_t is_light;  /* 1: listed because it bounces */
 	uint8_t is_left;   /* 1: left to the kernel, as joints do not bear its impact */
 	uint8_t is_hit;    /* 1: it bore an impulse in this step */
-	uint8_t reserved;
+	uint8_t is_of_free; /* 1: nothing holds its other body, which can move */
 } cni_heavy_contact;
 
 /* Those of one component: heavies[begin] to heavies[end - 1]. */
@@ -77,6 +77,8 @@ int32_t cni_heavy_contacts_list(const cn_world *world, const cni_solve *s, cni_s
 void cni_heavy_contacts_find(cn_world *world, const cni_solve *s);
 /* One pass over them, after the joints. */
 void cni_heavy_contacts_solve(cn_world *world, const cni_solve *s, int32_t bias);
+/* One more, of the components whose joints contacts have opened: after these, before the contacts of the kernel (direct/joint_projection.c). */
+void cni_heavy_contacts_project(cn_world *world, const cni_solve *s);
 /* After the substeps: those that were hit bounce. */
 void cni_heavy_contacts_bounce(cn_world *world, const cni_solve *s);
 

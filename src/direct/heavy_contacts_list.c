@@ -123,6 +123,7 @@ static void body_contacts_list(const cn_world *world, const cni_solve *s, cni_sp
 			continue;
 		cni_heavy_contact h = heavy_make(world, s, component, key >> 1);
 		h.is_light = (uint8_t)light;
+		h.is_of_free = (uint8_t)is_free(world, other->awake);
 		if (!light || cni_heavy_bounces(&h))
 			sparse->heavies[sparse->heavy_count++] = h;
 	}

@@ -3,7 +3,7 @@
  *
  * Joints are solved first, then contacts. A body that a contact stopped would separate from its jointed neighbours when positions move, by
  * 4 cm in a substep at 10 m/s. Where joints would open by more than CNI_BAD_PART of the accuracy, also because fast lever arms leave
- * the tangent, their system is solved once more, then the contacts of its bodies, for a few rounds, joints last. A scene without hard stops
+ * the tangent, their system is solved once more, then the contacts of its bodies, heavy ones first, for a few rounds, joints last. A scene without hard stops
  * costs one check of the joints of touched systems; later rounds only check systems whose bodies have changed. A ball that a wall stops
  * pushes the light chain on which it hangs into itself, and exact joints turn its links by any angle: those that would turn by more than
  * CNI_BUCKLE_RAD in the substep are locked to each other.
@@ -17,6 +17,7 @@
 #include "direct/direct.h"
 #include "contacts/contacts.h"
 #include "direct/direct_system.h"
+#include "direct/heavy_contacts.h"
 
 #include <string.h>
 
@@ -243,6 +244,7 @@ void cni_direct_project(cn_world *world, const cni_solve *s)
 	if (s->direct == NULL || s->direct->projection_count == 0)
 		return;
 	for (int32_t round = 0; projections_run(world, s, round, 1); ++round) {
+		cni_heavy_contacts_project(world, s);
 		contacts_of_opening_mark(world, s->direct);
 		cni_contacts_pass(world, s, CNI_PASS_AGAIN);
 	}

@@ -21,11 +21,11 @@ static const arch_scene arch_scenes[ARCH_SCENES] = {
 	{ "shapes", scene_shapes, 0x3f7d38d5bb1f176e },
 	{ "joints", scene_joints, 0x75e2e32bb67b4458 },
 	{ "direct", scene_direct, 0x743ce6e29992720b },
-	{ "tiers", scene_tiers, 0x79da8db3aad5a436 },
+	{ "tiers", scene_tiers, 0x953d7f569fe88894 },
 	{ "sequential", scene_sequential, 0x08c4cf8f2876c0a2 },
 	{ "queries", scene_queries, 0x31daf40cc57fdb5f },
-	{ "events", scene_events, 0x24706f49aa875a26 },
-	{ "file", scene_file, 0x5810899af747a75d },
+	{ "events", scene_events, 0x5f507a070c112fa6 },
+	{ "file", scene_file, 0xcdafdf00117cee1a },
 };
 
 /* The number of a scene; 0 if a call failed: arch_failed_line. */

@@ -543,6 +543,46 @@ static void heavy_boxes_share_a_deck(void)
 	}
 }
 
+/* A bridge of 24 pinned boards that hangs between fixed ends, and a box of this many times a board's mass that falls onto it from this height. What
+   stops it travels board by board, and joints and contacts alternate. Returns the greatest overlap over 3 s. */
+static double bridge_is_struck(float ratio, float drop, float dt_s)
+{
+	scene s = scene_open(GRAVITY, 0, CN_SOLVER_AUTO);
+	cn_body bank = keep(&s, fixture_body(s.world, CN_BODY_STATIC, 0.0f, 0.0f, 0.0f)), before = bank;
+	double overlap = 0.0;
+	int32_t k;
+	for (k = 0; k < 24; ++k) {
+		cn_body board = add_board(&s, (double)k, 5.0, 0.0);
+		pin(&s, before, before != bank ? at(0.5f, 0.0f) : at(0.0f, 5.0f), board, at(-0.5f, 0.0f));
+		before = board;
+	}
+	pin(&s, before, at(0.5f, 0.0f), bank, at(24.0f, 5.0f));
+	add_heavy_box(&s, 12.0f, 5.6f + drop, ratio);
+	for (k = 0; k < (int32_t)(3.0f / dt_s); ++k) {
+		must(cn_world_step(s.world, dt_s), s.world, "cn_world_step");
+		overlap = greater(overlap, (double)fixture_penetration(s.world, s.bodies, s.body_count));
+	}
+	scene_close(&s);
+	return overlap;
+}
+
+static void heavy_boxes_fall_on_bridges(void)
+{
+	static const float ratios[] = { 30.0f, 100.0f, 300.0f }, drops[] = { 0.5f, 1.5f, 4.0f }, steps[] = { 1.0f / 60.0f, 1.0f / 30.0f };
+	double most = 0.0, sum = 0.0;
+	int32_t i, k, m;
+	for (i = 0; i < 3; ++i)
+		for (k = 0; k < 3; ++k)
+			for (m = 0; m < 2; ++m) {
+				double overlap = bridge_is_struck(ratios[i], drops[k], steps[m]);
+				printf("  %4.0f times, %.1f m, 1/%.0f s: %.1f mm\n", (double)ratios[i], (double)drops[k], (double)(1.0f / steps[m]), 1e3 * overlap);
+				most = greater(most, overlap);
+				sum += overlap;
+			}
+	CHECK_LE("mean of the greatest overlaps", sum / 18.0, 0.045, "m");
+	CHECK_LE("greatest of all", most, 0.15, "m");
+}
+
 /* ---- chains that are pressed into each other ---- */
 
 static void add_chain_of_discs(scene *s, uint32_t *random, float y)
@@ -777,6 +817,7 @@ int main(int argc, char **argv)
 	RUN(jammed_wheels_give_way);
 	RUN(light_boards_bear_what_stands);
 	RUN(heavy_boxes_share_a_deck);
+	RUN(heavy_boxes_fall_on_bridges);
 	RUN(heavy_balls_press_no_chains_into_each_other);
 	RUN(boxes_bounce_off_jointed_boards);
 	RUN(light_arms_throw_no_heavy_boxes);
