@@ -1,11 +1,16 @@
 #!/bin/sh
 # usage: cross.sh build-folder
-# The same bits on other processors (targets.sh): compiled for each target and run by an emulator, the golden scenes of
-# world/determinism_test, the numbers of arch/hashes_test, the bytes of save/file_test, and the tests of base/; for WebAssembly, which is
-# quick, those of geometry/ instead.
+# The same bits on other processors (targets.sh): compiled for each target and run by an emulator, the numbers of arch/hashes_test (which has
+# each shape, joint, solver, query, event and the bytes of a file), the bytes of save/file_test, and the tests of base/; for WebAssembly,
+# which is quick, those of geometry/ instead. What differs between processors is in
 #
-# Golden scenes that are large run on wasm32 only: they take as long as all others together, and an emulator twenty times as long. i686 runs
-# none, as wasm32 has pointers of 32 bits, too. 32-bit ARM is a part of `embedded`, and of `make test-arch` as i686 is.
+#   aarch64   kernels on NEON, fused operations: golden scenes and base/maths too
+#   s390x     the order of bytes: no golden scenes, as a step that depends on it changes arch/hashes, too
+#   i686      pointers of 32 bits with threads, numbers of 64 bits aligned to 4: so -O0
+#   wasm32    kernels on WASM SIMD: golden scenes
+#
+# Golden scenes that are large run on wasm32 only: they take as long as all others together, and an emulator twenty times as long.
+# 32-bit ARM is a part of `embedded`, and of `make test-arch` as i686 and s390x are.
 # Two targets run at a time. Ends with one line "N passed, N failed, N skipped". A target whose compiler or emulator is missing is skipped.
 set -u
 unset MAKEFLAGS MFLAGS MAKELEVEL
@@ -15,20 +20,20 @@ cores=$(nproc 2>/dev/null || echo 2)
 passed=0 failed=0 skipped=0 running=0 begun=
 
 golden=test/world/determinism_test.c
-units="$(ls test/base/*_test.c | grep -v time_test) test/save/file_test.c test/arch/hashes_test.c" # which also has threads
+units="$(ls test/base/*_test.c | grep -Ev 'time_test|maths_test') test/save/file_test.c test/arch/hashes_test.c" # which also has threads
 geometry="$(grep -L 'hooks\.h' test/geometry/*_test.c | grep -v time_test) test/arch/hashes_test.c" # WASI has no setjmp, which hooks need
 
 # Leaves $build/<target>.log, .code and .seconds. Emulators are slow: TEST_SLOW.
-run() { # target tests, as source files
-	target=$1
-	shift
+run() { # target optimization tests, as source files
+	target=$1 optimization=$2
+	shift 2
 	tests=
 	for test in "$@"; do tests="$tests $build/$target/${test%.c}"; done
 	(
 		started=$(date +%s)
-		${MAKE:-make} -s -j"$cores" test BUILD="$build/$target" CC="$compiler" CFLAGS= TEST_CFLAGS="-O1 $flags" OWN_CFLAGS=-O0 JOBS="$cores" \
+		${MAKE:-make} -s -j"$cores" test BUILD="$build/$target" CC="$compiler" CFLAGS= TEST_CFLAGS="$optimization $flags" OWN_CFLAGS=-O0 JOBS="$cores" \
 			TEST_DEFINES="-DCNI_DEBUG -DTEST_SLOW $defines" LIBS="$libs" RUNNER="$runner" TESTS="$tests" \
-			AMALGAMATED="${AMALGAMATED:-}" > "$build/$target.log" 2>&1
+			EXAMPLE_SRC="$(echo examples/scenes/*.c)" AMALGAMATED="${AMALGAMATED:-}" > "$build/$target.log" 2>&1
 		echo $? > "$build/$target.code"
 		echo $(($(date +%s) - started)) > "$build/$target.seconds"
 	) &
@@ -37,7 +42,7 @@ run() { # target tests, as source files
 	[ $((running % 2)) != 0 ] || wait
 }
 
-target() { # name tests
+target() { # name optimization tests
 	target_of "$1"
 	if tool=$(target_lacks); then
 		echo "$1: $tool is not installed (see .ci/deps)"
@@ -45,7 +50,7 @@ target() { # name tests
 		return
 	fi
 	# shellcheck disable=SC2086
-	run $1 $2
+	run $1 $2 $3
 }
 
 read_logs() {
@@ -64,9 +69,10 @@ read_logs() {
 }
 
 mkdir -p "$build"
-for name in aarch64 s390x; do target $name "$golden $units"; done
-target i686 "$units"
-target wasm32 "$golden $geometry"
+target aarch64 -O1 "$golden test/base/maths_test.c $units"
+target s390x -O1 "$units"
+target i686 -O0 "$units"
+target wasm32 -O1 "$golden $geometry"
 wait
 read_logs
 echo "$passed passed, $failed failed, $skipped skipped"
