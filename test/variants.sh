@@ -5,7 +5,7 @@
 # has that of `make test`: what that built is not built again.
 #
 # Every fault is looked for once: the address and undefined-behaviour sanitizers run the whole suite; the memory sanitizer those of kernels, memory, random scenes,
-# calls and arguments; -O3 with the processor's own instructions those of bits, memory, calls and threads, without threads; the thread
+# calls and arguments; -O3 with the processor's own instructions those of bits, a block of memory and threads, without threads; the thread
 # sanitizer and helgrind those of threads; the other builds must give the same bits (tests hold golden hashes).
 # Ends with a line of each part with its seconds, and one summed line "N passed, N failed, N skipped".
 set -u
