@@ -11,7 +11,7 @@
 #   make amalgamation  the library as two files, build/amalgamation/cairn.c and cairn.h
 #   make stability  scenes with bounds, and 10 seeds of each family: test/stability/README.md
 #   make fuzz       libFuzzer on calls, files, recordings and geometry, FUZZ_SECONDS each: test/README.md
-#   make soak       long forms of tests under load
+#   make soak       the suite in its long form, and long tests under load
 #   make coverage   lines and branches of src/ that the tests run     make lint  clang-tidy, cppcheck, gcc -fanalyzer
 #   make test-arch  the same numbers from every compiler and processor that is installed: test/arch
 #   make mutation   small faults that tests must catch: test/README.md
@@ -298,10 +298,11 @@ test-times: $(TIMES_SRC:%.c=$(BUILD)/%) $(BUILD)/test/broadphase/sweep_test $(BU
 fuzz:
 	@sh test/fuzz/run.sh $(BUILD) $(TARGET)
 
-# Long forms of tests under load, some ten minutes: an hour of simulated churn, 1,000 histories of 2,000 steps with both broadphases, crowds.
-SOAK := $(BUILD)/test/world/soak_test $(BUILD)/test/world/crowd_test $(BUILD)/test/world/pressed_test $(BUILD)/test/world/sleep_residual_test $(BUILD)/test/world/broadphase_histories_test
-soak: $(SOAK)
-	@for t in $(SOAK); do $$t t_soak || exit 1; done
+# The suite in its long form, then long tests under load, some ten minutes: an hour of simulated churn, 1,000 histories of 2,000 steps with both
+# broadphases, crowds.
+soak:
+	@$(MAKE) test BUILD=$(BUILD)/long TEST_DEFINES='$(TEST_DEFINES) -DTEST_LONG'
+	@for t in soak crowd pressed sleep_residual broadphase_histories; do $(BUILD)/long/test/world/$${t}_test t_soak || exit 1; done
 
 # Lines and branches of src/ that the tests run: test/coverage.sh
 .PHONY: coverage lint test-arch

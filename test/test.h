@@ -71,19 +71,21 @@ static inline int test_golden_holds(uint64_t digest, uint64_t golden)
 	return digest == golden || getenv("CAIRN_NO_GOLDEN") != NULL;
 }
 
-/* How many of so many random scenes: a fifth in a slow build, which looks for faults of memory and arithmetic. */
-#ifdef TEST_SLOW
-#define TEST_MANY(count) ((count) / 5)
+/*
+ * How much runs of what differs by a random number or a length alone: all of it in the long form (TEST_LONG: make soak), about half in
+ * make test, a tenth in a slow build (TEST_SLOW: sanitizers and emulators), which looks for faults of memory and arithmetic.
+ */
+#if defined(TEST_LONG)
+#define TEST_FORM(whole, usual, slow) (whole)
+#elif defined(TEST_SLOW)
+#define TEST_FORM(whole, usual, slow) (slow)
 #else
-#define TEST_MANY(count) (count)
+#define TEST_FORM(whole, usual, slow) (usual)
 #endif
-
-/* How many random values or rounds: a tenth by an emulator, where numbers that are the same everywhere say the rest. */
-#ifdef TEST_EMULATED
-#define TEST_SAMPLES(count) ((count) / 10)
-#else
-#define TEST_SAMPLES(count) (count)
-#endif
+/* So many random scenes: at least one. Bounds on how many of them fail scale by it, too. */
+#define TEST_MANY(count) TEST_FORM(count, ((count) + 1) / 2, ((count) + 9) / 10)
+/* So many random values, rounds or steps of which each takes little. */
+#define TEST_SAMPLES(count) TEST_FORM(count, (count) / 2, (count) / 10)
 
 #define RUN(function) test_run(#function, function)
 /* Prints times and checks none: runs only when the filter names it (make test-times). */

@@ -13,13 +13,9 @@
 #else
 #define ITEMS 5000
 #endif
-#ifdef TEST_SLOW
-#define CHAIN_STEPS 200
-#define IDLE_TURNS 300000 /* each takes at least ten times as long under a sanitizer */
-#else
-#define CHAIN_STEPS 1000
-#define IDLE_TURNS 3000000
-#endif
+#define CHAIN_STEPS TEST_FORM(1000, 400, 100)
+#define IDLE_TURNS TEST_FORM(3000000, 3000000, 300000) /* each takes at least ten times as long under a sanitizer */
+#define IDLE_LOOPS TEST_FORM(10, 5, 4)
 
 static const int32_t worker_counts[] = { 2, 3, 8, 64 };
 #define WORKER_COUNTS ((int32_t)(sizeof worker_counts / sizeof *worker_counts))
@@ -80,7 +76,7 @@ static void check_loops(cni_team *team)
 	l.team = team;
 	for (k = 0; k < 40; ++k)
 		check_loop(&l, k, 1 + k % 3);
-	for (l.busy = 0; l.busy < 100; l.busy += 33)
+	for (l.busy = 0; l.busy < 100; l.busy += TEST_FORM(33, 99, 99))
 		for (k = 1; k < ITEMS; k = 3 * k + 1)
 			check_loop(&l, ITEMS - k % 7, k);
 }
@@ -193,7 +189,7 @@ static void idle_lead(void *context)
 {
 	loop *l = context;
 	int32_t k;
-	for (k = 0; k < 10; ++k) {
+	for (k = 0; k < IDLE_LOOPS; ++k) {
 		idle();
 		check_loop(l, ITEMS, 50);
 	}

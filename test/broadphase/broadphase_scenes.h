@@ -196,7 +196,7 @@ static scene scene_of(scene_kind kind, int32_t boxes, float moving, float telepo
 	scene s;
 	s.kind = kind;
 	s.boxes = boxes;
-	s.steps = 200;
+	s.steps = TEST_SAMPLES(200);
 	s.moving = moving;
 	s.teleporting = teleporting;
 	s.speed = speed;
@@ -311,7 +311,7 @@ static void t_rebuilding_changes_nothing(void)
 			if (!w.alive[id] && id < boxes)
 				CHECK(world_add(&w, id, box_within(-spread, spread, -spread, spread, cni_v(size, size)), 0));
 		}
-		for (step = 0; step < 12; ++step) {
+		for (step = 0; step < TEST_MANY(12); ++step) {
 			wrong += world_update(&w);
 			invalid += !cni_broadphase_holds(w.ops, w.broadphase);
 			for (id = 0; id < 800; ++id)

@@ -200,7 +200,7 @@ static void t_searches_find_what_brute_force_finds(void)
 	int32_t round, k, wrong = 0, invalid = 0, pairs = 0, unmarked = 0, left = 0;
 	random_state = 7;
 	plain_open();
-	for (round = 0; round < 60; ++round) {
+	for (round = 0; round < TEST_MANY(60); ++round) {
 		for (k = 0; k < 20 + 40 * (round % 6); ++k) {
 			change_something();
 			invalid += !cni_tree_validate(&p.tree);
@@ -220,7 +220,7 @@ static void t_searches_find_what_brute_force_finds(void)
 	for (k = 0; k < ITEMS; ++k)
 		left += p.moved[k];
 	printf("  %d items, %d pairs, %d unmarked, %d still moved\n", p.tree.count, pairs, unmarked, left);
-	CHECK(pairs > 1000 && unmarked > 100 && left == 0);
+	CHECK(pairs > 1000 && unmarked > TEST_MANY(100) && left == 0);
 	CHECK_LE("answers that differ from brute force", wrong, 0, "");
 	CHECK_LE("states that are not valid", invalid, 0, "");
 	for (k = 0; k < ITEMS; ++k)
@@ -358,7 +358,7 @@ static double worst_cost(int32_t share, void *scratch)
 {
 	double worst = 0.0;
 	int32_t step, k;
-	for (step = 0; step < 400; ++step) {
+	for (step = 0; step < TEST_FORM(400, 200, 100); ++step) {
 		for (k = 0; k < ITEMS; ++k) {
 			cni_aabb box = p.boxes[k];
 			float dx = k & 1 ? 0.1f : -0.1f, dy = k & 2 ? 0.1f : -0.1f;

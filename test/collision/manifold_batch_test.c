@@ -7,7 +7,7 @@
 #include "geometry/shapes.h"
 #include "test.h"
 
-#define ROUNDS 10000
+#define ROUNDS TEST_SAMPLES(10000)
 #define MARGIN 0.02f
 
 typedef struct pair {

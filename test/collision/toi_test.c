@@ -223,22 +223,22 @@ static void random_pairs(int32_t count, float size_a, float size_b, float distan
 static void t_random_pairs(void)
 {
 	random_state = 11u;
-	random_pairs(4000, 1.0f, 1.0f, 3.0f, 1.5f, 300);
+	random_pairs(TEST_SAMPLES(4000), 1.0f, 1.0f, 3.0f, 1.5f, 300);
 }
 
 static void t_fast_turns(void)
 {
 	random_state = 12u;
-	random_pairs(500, 1.0f, 1.0f, 2.0f, 30.0f, 3000);
+	random_pairs(TEST_SAMPLES(500), 1.0f, 1.0f, 2.0f, 30.0f, 3000);
 }
 
 static void t_large_and_tiny(void)
 {
 	random_state = 13u;
-	random_pairs(800, 20.0f, 0.05f, 20.0f, 3.0f, 600);
-	random_pairs(800, 0.02f, 0.02f, 0.5f, 6.0f, 300);
-	random_pairs(800, 500.0f, 1.0f, 400.0f, 1.0f, 600);
-	random_pairs(800, 500.0f, 700.0f, 900.0f, 1.0f, 300);
+	random_pairs(TEST_SAMPLES(800), 20.0f, 0.05f, 20.0f, 3.0f, 600);
+	random_pairs(TEST_SAMPLES(800), 0.02f, 0.02f, 0.5f, 6.0f, 300);
+	random_pairs(TEST_SAMPLES(800), 500.0f, 1.0f, 400.0f, 1.0f, 600);
+	random_pairs(TEST_SAMPLES(800), 500.0f, 700.0f, 900.0f, 1.0f, 300);
 }
 
 /* Bars of 100 to 1, flat boxes and needles, spinning. */
@@ -247,7 +247,7 @@ static void t_long_thin_shapes(void)
 	static record a, b;
 	random_state = 14u;
 	seen_begin();
-	for (int32_t k = 0; k < 500; ++k) {
+	for (int32_t k = 0; k < TEST_SAMPLES(500); ++k) {
 		cni_toi_input in;
 		memset(&in, 0, sizeof in);
 		record_box(&a, random_in(1.0f, 5.0f), random_in(0.01f, 0.05f), k & 1 ? 0.01f : 0.0f, transform_none());
@@ -273,7 +273,7 @@ static void t_bullets_never_pass_walls(void)
 	int passed = 0, missed = 0;
 	float past = -1e30f;
 	random_state = 15u;
-	for (int32_t k = 0; k < 4000; ++k) {
+	for (int32_t k = 0; k < TEST_SAMPLES(4000); ++k) {
 		cni_toi_input in;
 		cni_toi_result r;
 		cn_edge edge = { { 0.0f, -50.0f }, { 0.0f, 50.0f } };
@@ -388,7 +388,7 @@ static void t_swapping_changes_little(void)
 	double worst = 0.0;
 	int differ = 0;
 	random_state = 16u;
-	for (int32_t k = 0; k < 2000; ++k) {
+	for (int32_t k = 0; k < TEST_SAMPLES(2000); ++k) {
 		cni_toi_input in, swapped;
 		cni_toi_result r, s;
 		record_random(&a, k % 4, 1.0f);

@@ -96,15 +96,15 @@ static void t_rain_makes_and_destroys(void)
 		scene_step(&run);
 	cn_world_get_counters(run.world, &counters);
 	CHECK(counters.bodies == 5 + 3 * 275 && counters.joints == 3 * 250);
-#ifndef TEST_SLOW
-	for (int32_t i = 24; i < 340; ++i) {
-		scene_before_step(&run); /* no physics needed to count */
-		++run.step_index;
+	if (TEST_FORM(1, 1, 0)) {
+		for (int32_t i = 24; i < 340; ++i) {
+			scene_before_step(&run); /* no physics needed to count */
+			++run.step_index;
+		}
+		CHECK(run.result == CN_OK);
+		cn_world_get_counters(run.world, &counters);
+		CHECK(counters.bodies == 5 + 40 * 275 && counters.joints == 40 * 250);
 	}
-	CHECK(run.result == CN_OK);
-	cn_world_get_counters(run.world, &counters);
-	CHECK(counters.bodies == 5 + 40 * 275 && counters.joints == 40 * 250);
-#endif
 	scene_close(&run);
 }
 

@@ -163,10 +163,10 @@ static void t_every_scene_runs(void)
 			continue; /* large ones of the benchmark: test/examples/scenes_test.c */
 		testbed_select(&bed, i);
 		bed.show ^= DRAW_SHOW_ISLANDS | DRAW_SHOW_CONTACTS;
-		frames(4);
-		if (bed.run.result != CN_OK || bed.run.step_index != 4)
+		frames(2);
+		if (bed.run.result != CN_OK || bed.run.step_index != 2)
 			printf("  %s: %s\n", which->name, bed.run.error_text);
-		CHECK(bed.run.result == CN_OK && bed.run.step_index == 4);
+		CHECK(bed.run.result == CN_OK && bed.run.step_index == 2);
 		for (int32_t k = 0; k < 450 * 420; ++k) {
 			const uint8_t *pixel = bed.canvas.rgb + 3 * (k / 450 * 700 + k % 450);
 			drawn += pixel[2] != (draw_colors[DRAW_BACKGROUND] & 255u);

@@ -7,13 +7,8 @@
 
 #include <ctype.h>
 
-#ifdef TEST_SLOW
-#define INPUTS 100
-#define CHANGES 30
-#else
-#define INPUTS 400
-#define CHANGES 100
-#endif
+#define INPUTS TEST_SAMPLES(400)
+#define CHANGES TEST_SAMPLES(100)
 #define BYTES_MAX 1024
 
 static const struct target {

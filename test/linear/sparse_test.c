@@ -151,7 +151,7 @@ static void compare(const char *name, void (*make)(problem *), double decades, d
 {
 	errors worst = { 0.0, 0.0, 0.0 };
 	uint32_t seed;
-	for (seed = 1; seed <= 8; ++seed) {
+	for (seed = 1; seed <= TEST_MANY(8); ++seed) {
 		problem *p = begin(seed, decades);
 		make(p);
 		judge(p, &worst);

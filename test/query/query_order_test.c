@@ -41,7 +41,7 @@ static void t_answers_do_not_depend_on_the_broadphase(void)
 	backward = *forward;
 	backward.query = backward_query;
 	backward.ray = backward_ray;
-	for (k = 0; k < 1500; ++k) {
+	for (k = 0; k < TEST_SAMPLES(1500); ++k) {
 		cn_ray ray = random_ray(0.0f);
 		cn_polygon polygon = random_region(0.0f, 1 + below(3));
 		cn_query_filter filter = random_filter();
@@ -58,7 +58,7 @@ static void t_answers_do_not_depend_on_the_broadphase(void)
 		w->broadphase_ops = forward;
 		different += !same(&a, &b, sizeof a);
 	}
-	CHECK_LE("different answers", different, 0, "of 1500");
+	CHECK_LE("different answers", different, 0, "");
 	cn_world_destroy(w);
 }
 

@@ -104,11 +104,11 @@ static void t_overlaps_list_what_is_there(void)
 		double epsilon = round == 2 ? 2e-3 : 2e-5;
 		random_world(200u + (uint32_t)round, center);
 		list_shapes();
-		for (k = 0; k < 150; ++k)
+		for (k = 0; k < TEST_SAMPLES(150); ++k)
 			check_regions(center, epsilon);
 		shuffle_bodies(center);
 		list_shapes();
-		for (k = 0; k < 150; ++k)
+		for (k = 0; k < TEST_SAMPLES(150); ++k)
 			check_regions(center, epsilon);
 		cn_world_destroy(w);
 	}

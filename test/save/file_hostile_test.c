@@ -229,11 +229,7 @@ static void t_rows_of_lanes_without_a_contact_are_refused(void)
 	saved_free(&f);
 }
 
-#ifdef TEST_SLOW
-#define MUTATIONS 800
-#else
-#define MUTATIONS 2500
-#endif
+#define MUTATIONS TEST_SAMPLES(2500)
 
 static void t_forged_files_do_no_harm(void)
 {

@@ -7,7 +7,7 @@
 #include "world/joints.h"
 #include "save/file.h"
 
-#define LOCKSTEP 40
+#define LOCKSTEP TEST_FORM(40, 20, 10)
 
 #ifdef TEST_EMULATED
 #define EMULATED 1
@@ -106,9 +106,8 @@ static void t_every_scene_goes_on(void)
 {
 	const setting s = { CN_SOLVER_AUTO, SWEEP, 0, 0 };
 	int32_t k, scenes = 0;
-#ifdef TEST_SLOW
-	SKIP("in quick builds");
-#endif
+	if (TEST_FORM(0, 0, 1))
+		SKIP("in slow builds");
 	for (k = 0; k < scene_count(); ++k) {
 		const scene *which = scene_at(k);
 		int32_t same;
@@ -255,7 +254,7 @@ static uint64_t written_bytes(cn_world *world)
 
 /* ---- a random life ---- */
 
-#define LIVES 40
+#define LIVES TEST_MANY(40)
 #define CHANGES 60
 
 static cn_body random_body(cn_world *world, int32_t round, float x, float y, float size)

@@ -8,7 +8,7 @@
 #include "world/memory_session.h"
 #include "model/world.h"
 
-#define LOCKSTEP 60
+#define LOCKSTEP TEST_FORM(60, 24, 12)
 
 /* ---- scenes ---- */
 

@@ -8,12 +8,8 @@
 #include "fixture.h"
 #include "scenes/scenes.h"
 
-#define STEPS 300
-#ifdef TEST_SLOW
-#define EVERY 10 /* validations are expensive */
-#else
-#define EVERY 1
-#endif
+#define STEPS TEST_FORM(300, 200, 100)
+#define EVERY TEST_FORM(1, 2, 10) /* validations are expensive */
 
 static int worlds_differ(const cn_world *a, const cn_world *b)
 {

@@ -12,11 +12,7 @@
 #define FIXED 10
 #define SOLVERS 3
 #define STEPS_SHORT 200
-#ifdef TEST_SLOW
-#define SEEDS_SHORT 6
-#else
-#define SEEDS_SHORT 24
-#endif
+#define SEEDS_SHORT TEST_FORM(24, 12, 3)
 
 /* One history, played in a world of each broadphase. */
 typedef struct history {

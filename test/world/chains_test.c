@@ -6,7 +6,7 @@
  */
 #include "direct.h"
 
-#define CHAINS 250
+#define CHAINS TEST_MANY(250)
 #define CHAIN_S 6
 #define BARS_MOST 7
 

@@ -15,7 +15,7 @@ static const char *const mover_names[] = { "circle", "box", "capsule", "polygon"
 static const char *const wall_names[] = { "edge", "chain", "1 cm box", "sensor (control)" };
 static const float speeds_mps[] = { 10.0f, 30.0f, 60.0f, 120.0f, 240.0f, 400.0f };
 #define SPEEDS (sizeof speeds_mps / sizeof *speeds_mps)
-#define STARTS 200
+#define STARTS TEST_MANY(200)
 
 /* Adds a shape of about 0.2 m, the rod 2 m long and 4 cm thick. */
 static void mover_shape(cn_world *world, const cn_shape_def *def, int32_t kind)
@@ -222,7 +222,7 @@ static void struck_body_does_not_pass_the_wall(void)
 	size_t s;
 	for (wall = WALL_EDGE; wall <= WALL_BOX; ++wall)
 		for (s = 0; s < SPEEDS; ++s)
-			for (k = 0; k < 50; ++k) {
+			for (k = 0; k < TEST_MANY(50); ++k) {
 				cn_world *world = fixture_world(0.0f, 1);
 				cn_body light, heavy;
 				cn_shape_def def;
@@ -354,7 +354,7 @@ static void turning_rod_does_not_pass_a_post(void)
 	int32_t k, passed[3] = { 0, 0, 0 }, runs = 0;
 	size_t s;
 	for (s = 0; s < 4; ++s)
-		for (k = 0; k < 100; ++k) {
+		for (k = 0; k < TEST_MANY(100); ++k) {
 			float angle = fixture_random(&random, 0.12f, 3.02f), sign = k & 1 ? -1.0f : 1.0f;
 			passed[0] += rod_passes_post(sign * spins[s], 0, angle, 0u);
 			passed[1] += rod_passes_post(sign * spins[s], 1, angle, 0u);

@@ -89,7 +89,7 @@ static int32_t platforms(int32_t cut, int32_t count)
 /* Soft joints open by 0.2 to 0.6 m there, exact ones by some millimetres. */
 static void legs_that_disagree_throw_no_platform(void)
 {
-	CHECK_LE("platforms of 50 that are three times as fast as with soft constraints", platforms(ALL_LEGS, TEST_MANY(50)), 1, "");
+	CHECK_LE("platforms that are three times as fast as with soft constraints", platforms(ALL_LEGS, TEST_MANY(50)), TEST_FORM(1, 0, 0), "");
 }
 
 /* All seeds in quick builds, too: three of 60 are thrown where joints keep their impulses. */
@@ -147,8 +147,8 @@ static void cylinders_drive_lazy_tongs(void)
 		faster += speed > 1.5 * soft + 1.0;
 		wider += gap > 1.5 * soft_gap + 0.001;
 	}
-	CHECK_LE("tongs of 30 that open farther than with soft constraints", wider, 0, "");
-	CHECK_LE("... that are faster", faster, 5, "");
+	CHECK_LE("tongs that open farther than with soft constraints", wider, 0, "");
+	CHECK_LE("... that are faster", faster, TEST_FORM(5, 3, 1), "");
 }
 
 int main(int argc, char **argv)

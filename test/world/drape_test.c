@@ -106,9 +106,9 @@ static void draped_nets_are_not_thrown(void)
 {
 	int32_t coarse = TEST_MANY(240), fine = TEST_MANY(40);
 	double gap = 0.0, fine_gap = 0.0;
-	CHECK_LE("nets of 240 at 30 Hz that are thrown", nets_thrown(CN_SOLVER_AUTO, 1.0f / 30.0f, coarse, &gap), 1, "");
+	CHECK_LE("nets at 30 Hz that are thrown", nets_thrown(CN_SOLVER_AUTO, 1.0f / 30.0f, coarse, &gap), 0, "");
 	CHECK_LE("widest gap of a rod (soft constraints 0.095)", gap, 0.12, "m");
-	CHECK_LE("nets of 40 at 60 Hz that are thrown", nets_thrown(CN_SOLVER_AUTO, 1.0f / 60.0f, fine, &fine_gap), 0, "");
+	CHECK_LE("nets at 60 Hz that are thrown", nets_thrown(CN_SOLVER_AUTO, 1.0f / 60.0f, fine, &fine_gap), 0, "");
 	CHECK_LE("widest gap of a rod (soft constraints 0.039)", fine_gap, 0.045, "m");
 }
 

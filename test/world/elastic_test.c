@@ -93,7 +93,7 @@ static double family(float threshold, int32_t in_room)
 	double worst = 0.0;
 	int32_t shape, n;
 	for (shape = 0; shape < SHAPES; ++shape)
-		for (n = 0; n < 5; ++n) {
+		for (n = 0; n < TEST_FORM(5, 4, 3); ++n) {
 			crowd c;
 			crowd_make(&c, shape, counts[n], threshold, in_room, (uint32_t)(10 * shape + n + 1));
 			worst = greater(worst, crowd_run(&c));

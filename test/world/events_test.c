@@ -120,7 +120,7 @@ static void ledger_read(ledger *l, cn_world *world, uint64_t *stream)
 static void every_beginning_gets_its_end(void)
 {
 	uint32_t seed;
-	for (seed = 1; seed <= 4; ++seed) {
+	for (seed = 1; seed <= TEST_MANY(4); ++seed) {
 		static churn c;
 		int32_t step, off = 0;
 		uint64_t stream = 0;
@@ -242,7 +242,7 @@ static void masks_change(uint32_t seed)
 static void changing_masks_keep_pairs_bookended(void)
 {
 	uint32_t seed;
-	for (seed = 1; seed <= 10; ++seed)
+	for (seed = 1; seed <= TEST_MANY(10); ++seed)
 		masks_change(seed);
 	masks_change(584);
 }

@@ -79,11 +79,7 @@ static void swinging_chain_of_20_stays_together(void)
 /* The benchmark's joint_grid: 10,000 balls on 19,794 pins, seven of them held. As stiff as 16 substeps make it. */
 static void grid_of_10000_bodies_keeps_its_anchors(void)
 {
-#ifdef TEST_SLOW
-	const int32_t steps = 2;
-#else
-	const int32_t steps = 60;
-#endif
+	const int32_t steps = TEST_FORM(60, 24, 2);
 	enum { SIDE = 100 };
 	static cn_body balls[SIDE][SIDE];
 	cn_world *world = fixture_world(-10.0f, 0);
@@ -472,7 +468,7 @@ static void parts_that_are_turned_away_close_at_a_bounded_speed(void)
 		for (solver = CN_SOLVER_AUTO; solver <= CN_SOLVER_SOFT; ++solver)
 			for (substeps = 4; substeps <= 32; substeps += 28) {
 				double fastest = 0.0;
-				for (k = 0; k < 12; ++k)
+				for (k = 0; k < 12; k += TEST_FORM(1, 2, 4))
 					fastest = greater(fastest, turned_speed(kind, solver, substeps, k % 3, 0.1 + 0.26 * (double)k));
 				printf("  %s, %s, %d substeps\n", names[kind], solver == CN_SOLVER_AUTO ? "auto" : "soft", (int)substeps);
 				CHECK_LE("greatest speed", fastest, 60.0, "m/s");

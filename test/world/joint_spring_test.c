@@ -283,7 +283,7 @@ static void lattices_of_springs_gain_no_energy(void)
 	static const float hertz[] = { 5.0f, 12.0f, 20.0f, 26.0f, 40.0f, 60.0f, 200.0f }, damping[] = { 0.0f, 0.1f, 0.3f, 1.0f };
 	double most = 0.0;
 	int32_t k;
-	for (k = 0; k < 7 * 4 * 2 * 2; ++k) {
+	for (k = 0; k < 7 * 4 * 2 * 2; k += TEST_FORM(1, 3, 9)) {
 		float dt = k / 28 % 2 ? 1.0f / 30.0f : 1.0f / 60.0f;
 		double speed = lattice_speed(k / 56 ? 7 : 4, hertz[k % 7], damping[k / 7 % 4], dt, k & 1 ? CN_SOLVER_SOFT : CN_SOLVER_AUTO);
 		if (speed > 15.0)
@@ -342,7 +342,7 @@ static void joints_with_a_stiffness_gain_no_energy(void)
 	static const float hertz[] = { 30.0f, 60.0f, 100.0f, 1e4f }, damping[] = { 0.0f, 0.3f, 2.0f };
 	double most = 0.0;
 	int32_t k;
-	for (k = 0; k < 4 * 3 * 2 * 4; ++k) {
+	for (k = 0; k < 4 * 3 * 2 * TEST_MANY(4); ++k) {
 		double speed = stiff_row_speed(1u + (uint32_t)(k / 24), hertz[k % 4], damping[k / 4 % 3], k / 12 & 1 ? CN_SOLVER_SOFT : CN_SOLVER_AUTO);
 		if (speed > 40.0)
 			printf("  %u %.0f Hz, damping %.1f, solver %d: %.1f m/s\n", (unsigned)(k / 24), (double)hertz[k % 4], (double)damping[k / 4 % 3], k / 12 & 1, speed);

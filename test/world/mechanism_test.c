@@ -558,7 +558,7 @@ static void what_is_pressed_is_not_thrown(void)
 	double one, sum = 0.0, soft_sum = 0.0;
 	int32_t held, k, thrown = 0, soft = 0, towers = 0;
 	for (held = 1; held < 7; ++held)
-		for (k = 0; k < 24; ++k, ++towers) {
+		for (k = 0; k < 24; k += TEST_FORM(1, 2, 8), ++towers) {
 			thrown += pressed_tower_throw(held, 0.4f + 0.05f * (float)k, CN_SOLVER_AUTO, &one) > 2.0;
 			sum += one;
 			soft += pressed_tower_throw(held, 0.4f + 0.05f * (float)k, CN_SOLVER_SOFT, &one) > 2.0;
@@ -698,7 +698,7 @@ static void nets_of_mixed_joints_are_not_thrown(void)
 		thrown += hung_net(seed, CN_SOLVER_AUTO) > 250.0;
 		soft += hung_net(seed, CN_SOLVER_SOFT) > 250.0;
 	}
-	CHECK_LE("nets that reach 250 m/s, of 50", thrown, 0, "");
+	CHECK_LE("nets that reach 250 m/s", thrown, 0, "");
 	CHECK_LE("... with soft constraints", soft, 0, "");
 }
 
@@ -737,7 +737,7 @@ static void struck_bars_are_not_thrown(void)
 	uint32_t k;
 	for (k = 1; k <= TEST_MANY(400); ++k)
 		thrown += struck_bars_speed(CN_SOLVER_AUTO, 37u * k) > 130.0;
-	CHECK_LE("struck bars that are faster than 130 m/s, of 400", thrown, 0, "");
+	CHECK_LE("struck bars that are faster than 130 m/s", thrown, 0, "");
 }
 
 int main(void)

@@ -7,12 +7,7 @@
  */
 #include "memory_session.h"
 
-/* Slow builds live shorter. */
-#ifdef TEST_SLOW
-#define CHURN_BODIES 2000
-#else
-#define CHURN_BODIES 6000
-#endif
+#define CHURN_BODIES TEST_FORM(6000, 2000, 800)
 
 #define GUARD_BYTES 4096
 #define GUARD 0x5C
@@ -454,7 +449,7 @@ static void bytes_needed_make_any_world(void)
 {
 	uint32_t random = 99u;
 	int32_t round, refused = 0, loose = 0;
-	for (round = 0; round < 1000; ++round) {
+	for (round = 0; round < TEST_SAMPLES(600); ++round) {
 		cn_world_def def = random_def(&random);
 		cn_world *world = NULL;
 		fixed_block block;

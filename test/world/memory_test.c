@@ -9,13 +9,8 @@
 
 #include "broadphase/sweep.h"
 
-/* Slow builds visit fewer numbers. */
-#ifdef TEST_SLOW
-#define FAILURE_STRIDE 3
-#else
-#define FAILURE_STRIDE 1
-#endif
-#define FAILURES_EVERY 3000 /* every number up to here, then a stride of 13 */
+#define FAILURE_STRIDE TEST_FORM(1, 3, 9)
+#define FAILURES_EVERY 3000 /* this stride up to here, then one of 13 */
 
 /* ------------------------------------------------------------------ the n-th allocation fails */
 
@@ -36,11 +31,12 @@ static int64_t calls_of_plain_run(void)
 	return allocations;
 }
 
-static void fail_at_every_number(int32_t failing_steps)
+/* From the first number on. The three tests begin at 1, 2 and 3: together they visit every number where the stride is 3. */
+static void fail_at_numbers(int64_t first, int32_t failing_steps)
 {
 	int64_t n, last = calls_of_plain_run(), problems = 0, refused = 0, warned = 0, runs = 0;
 	REQUIRE(last > 0);
-	for (n = 1; n <= last && problems < 5; n += n < FAILURES_EVERY ? FAILURE_STRIDE : 13) {
+	for (n = first; n <= last && problems < 5; n += n < FAILURES_EVERY ? FAILURE_STRIDE : 13) {
 		session *s = (session *)calloc(1, sizeof *s);
 		session_run(s, n, failing_steps);
 		++runs;
@@ -58,9 +54,9 @@ static void fail_at_every_number(int32_t failing_steps)
 	CHECK_LE("runs with a broken promise", problems, 0, "runs");
 }
 
-static void world_survives_one_failed_allocation(void) { fail_at_every_number(0); }
-static void world_survives_five_steps_without_memory(void) { fail_at_every_number(5); }
-static void world_survives_forty_steps_without_memory(void) { fail_at_every_number(40); }
+static void world_survives_one_failed_allocation(void) { fail_at_numbers(1, 0); }
+static void world_survives_five_steps_without_memory(void) { fail_at_numbers(2, 5); }
+static void world_survives_forty_steps_without_memory(void) { fail_at_numbers(3, 40); }
 
 /* ------------------------------------------------------------------ a chain without memory for its boxes */
 
@@ -332,8 +328,8 @@ static void moving_world_asks_for_nothing(void)
 {
 	session_hooks hooks;
 	cn_world *world = counted_world(&hooks, 0);
-	build_tumbler(world, 300);
-	check_steady(world, &hooks, 3000, 600, 0);
+	build_tumbler(world, TEST_FORM(300, 150, 100));
+	check_steady(world, &hooks, TEST_FORM(3000, 3000, 1500), TEST_SAMPLES(600), 0);
 	cn_world_destroy(world);
 	CHECK(hooks.pieces == 0 && hooks.wrong == 0);
 }

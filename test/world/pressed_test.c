@@ -314,12 +314,14 @@ static void all_solvers(scene *run, uint32_t seeds, int32_t most, int32_t steps)
 	uint32_t seed;
 	for (seed = 1; seed <= seeds; ++seed) {
 		int32_t solver = solvers[seed / 2 % 4];
+		if (TEST_FORM(0, seed / 2 % 2 == seed % 2, seed % 5 != 1))
+			continue; /* of eight each solver once, and half of them odd; or two */
 		run(solver, seed, solver == CN_SOLVER_DIRECT ? most / 8 : most, steps);
 	}
 }
 
 static void t_nothing_leaves_a_pit(void) { all_solvers(pit, 8, 200, 80); }
-static void t_nothing_is_crushed_into_the_ground(void) { all_solvers(crusher, TEST_MANY(5), 150, 400); }
+static void t_nothing_is_crushed_into_the_ground(void) { all_solvers(crusher, 6, 150, 400); }
 static void t_a_crowd_stays_above_the_ground(void) { all_solvers(open_crowd, 6, 150, 90); }
 static void t_soak_pits(void) { all_solvers(pit, 48, 1500, 400); }
 static void t_soak_crushers(void) { all_solvers(crusher, 48, 1000, 1200); }

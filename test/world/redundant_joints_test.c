@@ -101,9 +101,9 @@ static void welded_arches_bear_themselves(void)
 {
 	int32_t pieces, rise, broken = 0;
 	for (pieces = 3; pieces <= 20; pieces += 2)
-		for (rise = 0; rise < 8; ++rise)
+		for (rise = TEST_FORM(0, pieces / 2 % 2, pieces / 2 % 8); rise < 8; rise += TEST_FORM(1, 2, 8))
 			broken += arch_breaks(pieces, 0.2f * (float)rise);
-	CHECK_LE("arches of 72 that break under ten times their weight", broken, 0, "");
+	CHECK_LE("arches that break under ten times their weight", broken, 0, "");
 }
 
 /* Two beams; the first is pinned to the ground, beyond its limit by so many radians, and the second, static, holds it there. Returns the greatest
@@ -437,7 +437,7 @@ static void light_discs_on_long_arms_are_not_thrown(void)
 	int32_t seed, thrown = 0;
 	for (seed = 1; seed <= TEST_MANY(200); ++seed)
 		thrown += light_discs_on_long_arms((uint32_t)seed * 7919u, CN_SOLVER_AUTO) > 100.0;
-	CHECK_LE("rows that are thrown", (double)thrown, 2.0, "of 200");
+	CHECK_LE("rows that are thrown", (double)thrown, TEST_FORM(2, 1, 0), "");
 }
 
 /* Five boxes on a floor, joined by slides along their row, part at different speeds until they are up to 24 m apart; a motor holds the first. Returns
@@ -588,7 +588,7 @@ static void joints_made_in_play_throw_nothing(void)
 	int32_t k, thrown = 0;
 	for (k = 1; k <= TEST_MANY(50); ++k)
 		thrown += joined_walker_reaches(1234567u * (uint32_t)k) > 30.0;
-	CHECK_LE("walkers of 50 that pass 30 m/s when their parts are joined", thrown, 1, "");
+	CHECK_LE("walkers that pass 30 m/s when their parts are joined", thrown, 0, "");
 }
 
 int main(int argc, char **argv)

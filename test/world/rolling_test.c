@@ -7,6 +7,7 @@
 #include "fixture.h"
 
 #define TOYS 24
+#define TOYS_SKIPPED TEST_FORM(1, 2, 8) /* one in so many runs */
 #define FRAMES 1800
 
 enum { ON_GROUND, ON_PLATE, TOY_KINDS };
@@ -77,6 +78,14 @@ static double plank_gain(int32_t solver, uint32_t *random)
 	return swing / (double)angle;
 }
 
+/* Draws what toy_gain draws, so that the next toy is the same. */
+static void toy_skip(uint32_t *random)
+{
+	int32_t k;
+	for (k = 0; k < 5; ++k)
+		(void)fixture_random(random, 0.0f, 1.0f);
+}
+
 static void check_gains(const char *what, double least, double most)
 {
 	printf("  %s\n", what);
@@ -91,7 +100,12 @@ static void toys_keep_their_swing(void)
 	for (kind = 0; kind < TOY_KINDS; ++kind) {
 		double least = 1.0, most = 0.0;
 		for (k = 0; k < TOYS; ++k) {
-			double gain = toy_gain(kind, k % 3, &random);
+			double gain;
+			if (k % TOYS_SKIPPED != 0) {
+				toy_skip(&random);
+				continue;
+			}
+			gain = toy_gain(kind, k % 3, &random);
 			least = gain < least ? gain : least;
 			most = greater(most, gain);
 		}

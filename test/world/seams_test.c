@@ -180,7 +180,7 @@ static ride ride_draw(uint32_t *random, int32_t body, int32_t tiles)
 	return r;
 }
 
-#define RIDES 40
+#define RIDES TEST_MANY(40)
 
 static void frictionless_bodies_slide_on(void)
 {

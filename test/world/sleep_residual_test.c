@@ -549,7 +549,7 @@ static void random_scenes(uint32_t seeds, const uint32_t *more, uint32_t more_co
 static void t_random_scenes(void)
 {
 	static const uint32_t more[] = { 316, 1108, 5446, 1587, 2668, 8521 };
-	random_scenes(60, more, 6);
+	random_scenes(TEST_MANY(60), more, 6);
 }
 
 static void t_soak_random_scenes(void) { random_scenes(6000, NULL, 0); }

@@ -13,7 +13,7 @@ enum { THIN_BOX, THIN_CAPSULE, THIN_TRIANGLE, THIN_ROUNDED, THIN_KINDS };
 static const char *const thin_names[] = { "box", "capsule", "triangle", "rounded box" };
 static const float thicknesses_m[] = { 0.0005f, 0.001f, 0.002f, 0.005f, 0.01f };
 #define THICKNESSES 5
-#define SEEDS 12
+#define SEEDS TEST_MANY(12)
 #define THICKNESS_LEAST_M 0.0005f
 
 static uint32_t random_state;

@@ -7,11 +7,7 @@
 
 #define MEMBERS 1100
 #define COLUMNS 50
-#ifdef TEST_SLOW
-#define STEPS 25
-#else
-#define STEPS 50
-#endif
+#define STEPS TEST_FORM(50, 25, 18)
 #define FIRST_CONVEYOR_STEP 15 /* contacts have no extra rows before */
 
 /* What the user is asked, and what it sees then. */

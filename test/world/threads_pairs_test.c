@@ -9,13 +9,8 @@
 #include "scenes/scenes.h"
 
 #define MEMBERS 1800
-#ifdef TEST_SLOW
-#define STEPS 8
-#define SPINNER_STEPS 3
-#else
-#define STEPS 24
-#define SPINNER_STEPS 4
-#endif
+#define STEPS TEST_FORM(24, 12, 6)
+#define SPINNER_STEPS TEST_FORM(4, 2, 2)
 #define SIDE_M 34.0f
 
 typedef struct witness {

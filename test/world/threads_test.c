@@ -85,11 +85,7 @@ static uint64_t run_digest(cn_world *world, int32_t steps)
 }
 
 #define CROWD 1400
-#ifdef TEST_SLOW
-#define STEPS 20
-#else
-#define STEPS 40
-#endif
+#define STEPS TEST_FORM(40, 20, 12)
 
 static uint64_t crowd_digest(const cn_world_def *def, int32_t steps)
 {
