@@ -65,9 +65,9 @@ static void t_the_bits_are_those_of_the_library(void)
 	for (int32_t i = 0; i < 3; ++i) {
 		REQUIRE(open_scene(names[i]));
 		bed.show |= DRAW_SHOW_CONTACTS | DRAW_SHOW_BOXES | DRAW_SHOW_TIERS;
-		frames(40);
-		CHECK(bed.run.step_index == 40);
-		CHECK(testbed_hash(&bed) == own_run(names[i], 40));
+		frames(20);
+		CHECK(bed.run.step_index == 20);
+		CHECK(testbed_hash(&bed) == own_run(names[i], 20));
 		testbed_close(&bed);
 	}
 }

@@ -205,10 +205,12 @@ static void bullets_do_not_pass_dynamic_walls(void)
 				if (share > 0.0)
 					printf("  %s at %g m/s, wall density %g: share %.3f\n", mover_names[mover], (double)speeds_mps[s], (double)densities[d], share);
 				with += share;
-				without += share_through_dynamic_walls(mover, speeds_mps[s], densities[d], 0u, &random);
+				if (TEST_FORM(1, 0, 0))
+					without += share_through_dynamic_walls(mover, speeds_mps[s], densities[d], 0u, &random);
 				++runs;
 			}
-	printf("  share of bodies without the flag that passed: %.4f (not promised)\n", without / runs);
+	if (TEST_FORM(1, 0, 0))
+		printf("  share of bodies without the flag that passed: %.4f (not promised)\n", without / runs);
 	CHECK_LE("share of bullets that passed", with / runs, 0.0, "");
 }
 

@@ -264,7 +264,7 @@ static void addresses_change_nothing(void)
 		def.alloc = odd_alloc;
 		def.free = odd_free;
 		def.allocator_user = &heap;
-		for (heap.falling = 0; heap.falling < 2; ++heap.falling) {
+		for (heap.falling = TEST_FORM(0, k / 2 % 2, k / 4 % 2); heap.falling < 2; heap.falling += TEST_FORM(1, 2, 2)) {
 			heap.used = 0;
 			check_digest(&goldens[k], digest_of(&goldens[k], &def), heap.falling ? "at falling addresses" : "at rising addresses");
 		}

@@ -104,7 +104,7 @@ static int32_t nets_thrown(int32_t solver, float dt, int32_t nets, double *gap)
 
 static void draped_nets_are_not_thrown(void)
 {
-	int32_t coarse = TEST_MANY(240), fine = TEST_MANY(40);
+	int32_t coarse = TEST_FORM(240, 90, 20), fine = TEST_FORM(40, 16, 4);
 	double gap = 0.0, fine_gap = 0.0;
 	CHECK_LE("nets at 30 Hz that are thrown", nets_thrown(CN_SOLVER_AUTO, 1.0f / 30.0f, coarse, &gap), 0, "");
 	CHECK_LE("widest gap of a rod (soft constraints 0.095)", gap, 0.12, "m");

@@ -177,7 +177,7 @@ static uint64_t net_digest(const cn_world_def *def, int32_t kind)
 	uint64_t digest;
 	must(cn_world_create(def, &world), NULL, "cn_world_create");
 	net_fill(world, kind, NET_IN_LANES, NET_SIDE, NULL);
-	digest = run_digest(world, 10);
+	digest = run_digest(world, TEST_FORM(10, 5, 3));
 	cn_world_destroy(world);
 	return digest;
 }
