@@ -290,7 +290,7 @@ native() {
 sanitize='-O1 -gline-tables-only -fno-omit-frame-pointer -fno-sanitize-recover=all'
 # A null pointer that is read ends a program anyway, and these checks are at every access: a third of the build's time and a quarter of the tests'.
 address='-fsanitize=address,undefined -fno-sanitize=null,object-size,pointer-overflow'
-slow='-DCNI_DEBUG -DTEST_SLOW' # a build that is slow: fewer scenes of a kind
+slow='-DCNI_DEBUG -DTEST_SLOW' # the slow form of the suite: test.h
 threads='base/threads broadphase/broadphase_threads world/threads world/threads_contacts world/threads_pairs'
 kernels='collision/manifold_batch step/integrate joints/joint_blocks joints/joint_nets narrowphase/cull'
 bits="world/determinism world/random $kernels"

@@ -735,7 +735,7 @@ static void struck_bars_are_not_thrown(void)
 {
 	int32_t thrown = 0;
 	uint32_t k;
-	for (k = 1; k <= TEST_MANY(400); ++k)
+	for (k = 401 - TEST_MANY(400); k <= 400; ++k) /* without is_struck of batched_trees.c 337, 352, 364, 381 and 387 are */
 		thrown += struck_bars_speed(CN_SOLVER_AUTO, 37u * k) > 130.0;
 	CHECK_LE("struck bars that are faster than 130 m/s", thrown, 0, "");
 }

@@ -64,7 +64,7 @@ static int32_t tower_falls(int32_t boxes, float half_height, float push, float r
 static int32_t towers_that_fall(float restitution, int32_t substeps)
 {
 	int32_t boxes, height, push, fell = 0;
-	for (boxes = 8; boxes <= 14; boxes += TEST_FORM(1, 2, 6))
+	for (boxes = TEST_FORM(8, 9, 11); boxes <= 14; boxes += TEST_FORM(1, 2, 4)) /* without loads_clear of solver_selection.c those of 11 fall */
 		for (height = 0; height < 3; ++height)
 			for (push = 0; push < 3; ++push)
 				fell += tower_falls(boxes, 0.18f + 0.06f * (float)height, 0.2f + 0.2f * (float)push, restitution, substeps);

@@ -234,7 +234,7 @@ static void t_what_is_thrown_stays_in_the_room(void)
 			int32_t out = 0, seeds = kind == THIN_TRIANGLE && edges ? 10 * SEEDS : SEEDS, all = THROWN * THICKNESSES * seeds;
 			for (i = 0; i < THICKNESSES; ++i)
 				for (seed = 0; seed < seeds; ++seed)
-					out += thrown_out(kind, edges, i, seed);
+					out += thrown_out(kind, edges, i, seed + 12 - SEEDS); /* the last ones: seed 11 is the only one that some faults are seen at */
 			printf("  %s, walls are %s: of %d\n", thin_names[kind], edges ? "edges" : "boxes", all);
 			CHECK_LE("share out of the room", (double)out / all, kind == THIN_TRIANGLE ? 0.01 : 0.0, "");
 		}
