@@ -220,7 +220,7 @@ static void t_searches_find_what_brute_force_finds(void)
 	for (k = 0; k < ITEMS; ++k)
 		left += p.moved[k];
 	printf("  %d items, %d pairs, %d unmarked, %d still moved\n", p.tree.count, pairs, unmarked, left);
-	CHECK(pairs > 1000 && unmarked > TEST_MANY(100) && left == 0);
+	CHECK(pairs > TEST_FORM(1000, 1000, 100) && unmarked > TEST_MANY(100) && left == 0);
 	CHECK_LE("answers that differ from brute force", wrong, 0, "");
 	CHECK_LE("states that are not valid", invalid, 0, "");
 	for (k = 0; k < ITEMS; ++k)

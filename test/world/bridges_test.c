@@ -68,7 +68,7 @@ static double bridge_speed(int32_t planks, float torque, int32_t welds, int32_t 
 	bridge_add(&s, planks, torque, welds);
 	for (k = 0; k < discs; ++k)
 		fixture_circle(s.world, CN_BODY_DYNAMIC, (float)planks * (0.2f + 0.6f * (float)k / (float)discs), 22.0f + 2.0f * (float)k, 0.5f, 0.6f, 0.0f);
-	for (k = 0; k < 12 * rate; ++k) {
+	for (k = 0; k < TEST_FORM(12, 12, 4) * rate; ++k) {
 		must(cn_world_step(s.world, 1.0f / (float)rate), s.world, "cn_world_step");
 		most = fmax(most, fastest_of(&s, s.bodies, planks));
 	}

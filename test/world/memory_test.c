@@ -328,8 +328,8 @@ static void moving_world_asks_for_nothing(void)
 {
 	session_hooks hooks;
 	cn_world *world = counted_world(&hooks, 0);
-	build_tumbler(world, TEST_FORM(300, 150, 100));
-	check_steady(world, &hooks, TEST_FORM(3000, 3000, 1500), TEST_SAMPLES(600), 0);
+	build_tumbler(world, TEST_FORM(300, 150, 150));
+	check_steady(world, &hooks, 3000, TEST_SAMPLES(600), 0);
 	cn_world_destroy(world);
 	CHECK(hooks.pieces == 0 && hooks.wrong == 0);
 }

@@ -312,7 +312,7 @@ static void creation_without_memory_leaves_nothing(void)
 static void a_world_in_one_block_has_workers_too(void)
 {
 	cn_world_def def = crowd_def(0);
-	uint64_t alone = crowd_digest(&def, 30);
+	uint64_t alone = crowd_digest(&def, STEPS);
 	unsigned char *raw;
 	def.body_capacity = CROWD + 10;
 	def.shape_capacity = CROWD + 10;
@@ -323,7 +323,7 @@ static void a_world_in_one_block_has_workers_too(void)
 	raw = malloc((size_t)def.memory_bytes + 64);
 	REQUIRE(raw != NULL);
 	def.memory = raw + (64 - (uintptr_t)raw % 64) % 64;
-	check_digest("crowd", def.worker_count, "in one block", crowd_digest(&def, 30), alone);
+	check_digest("crowd", def.worker_count, "in one block", crowd_digest(&def, STEPS), alone);
 	free(raw);
 }
 
@@ -334,14 +334,14 @@ static void *crowd_thread(void *out)
 {
 	cn_world_def def = crowd_def(0);
 	def.worker_count = 2;
-	*(uint64_t *)out = crowd_digest(&def, 40);
+	*(uint64_t *)out = crowd_digest(&def, STEPS);
 	return NULL;
 }
 
 static void two_worlds_on_two_threads_do_not_meet(void)
 {
 	cn_world_def def = crowd_def(0);
-	uint64_t alone = crowd_digest(&def, 40), digests[2] = { 0, 0 };
+	uint64_t alone = crowd_digest(&def, STEPS), digests[2] = { 0, 0 };
 	pthread_t threads[2];
 	int32_t k;
 	for (k = 0; k < 2; ++k)
