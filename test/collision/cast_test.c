@@ -149,7 +149,7 @@ static void t_parallel_boxes(void)
 	static record a, b;
 	memset(&seen, 0, sizeof seen);
 	random_state = 23u;
-	for (int32_t k = 0; k < 4000; ++k) {
+	for (int32_t k = 0; k < TEST_SAMPLES(4000); ++k) {
 		cni_vec2 storage[2];
 		cni_transform at = transform_make((float)(random_below(17) - 8) * 0.5f, (float)(random_below(17) - 8) * 0.5f, 0.0f);
 		cni_vec2 d = cni_v((float)(random_below(17) - 8) * 0.5f, (float)(random_below(17) - 8) * 0.5f);

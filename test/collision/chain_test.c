@@ -67,7 +67,7 @@ static void t_flat_chain_never_catches(void)
 {
 	double worst_normal = 0.0, worst_depth = 0.0;
 	int32_t contacts = 0, bare = 0, count = 0;
-	for (int32_t k = 0; k < 60000; ++k) {
+	for (int32_t k = 0; k < TEST_SAMPLES(60000); ++k) {
 		record ground, shape;
 		float size = k % 5 == 0 ? 0.2f : 1.0f;
 		chain_flat(&ground, 12.0f, 1 + random_below(40));
@@ -99,8 +99,8 @@ static void t_flat_chain_never_catches(void)
 		else
 			worst_depth = greater(worst_depth, fabs((double)deepest + (double)depth));
 	}
-	CHECK_GE("placements", count, 50000, "");
-	CHECK_GE("contact points", contacts, 60000, "");
+	CHECK_GE("placements", count, TEST_SAMPLES(50000), "");
+	CHECK_GE("contact points", contacts, TEST_SAMPLES(60000), "");
 	CHECK_LE("placements without any contact", bare, 0, "");
 	CHECK_LE("normal error", worst_normal, 1e-5, "");
 	CHECK_LE("depth error", worst_depth, 0.5 * (double)SLOP, "m");
@@ -110,7 +110,7 @@ static void t_flat_chain_never_catches(void)
 static void t_one_sided(void)
 {
 	int32_t wrong = 0;
-	for (int32_t k = 0; k < 5000; ++k) {
+	for (int32_t k = 0; k < TEST_SAMPLES(5000); ++k) {
 		record ground, shape;
 		chain_flat(&ground, 12.0f, 1 + random_below(20));
 		shape_random(&shape, k, 1.0f);
@@ -131,7 +131,7 @@ static void t_one_sided(void)
 static void t_concave_corner(void)
 {
 	int32_t wrong = 0, contacts = 0;
-	for (int32_t k = 0; k < 20000; ++k) {
+	for (int32_t k = 0; k < TEST_SAMPLES(20000); ++k) {
 		record ground, shape;
 		float left = random_in(0.05f, 1.4f), right = random_in(0.05f, 1.4f);
 		cni_vec2 points[3] = { { 6.0f * (float)cos((double)right), 6.0f * (float)sin((double)right) }, { 0, 0 }, { -6.0f * (float)cos((double)left), 6.0f * (float)sin((double)left) } };
@@ -145,7 +145,7 @@ static void t_concave_corner(void)
 			wrong += m.count > 0 && cni_length(cni_add(m.normal, up)) > 1e-5f;
 		}
 	}
-	CHECK_GE("contacts", contacts, 5000, "");
+	CHECK_GE("contacts", contacts, TEST_SAMPLES(5000), "");
 	CHECK_LE("normals that are not a slope's", wrong, 0, "");
 }
 
@@ -153,7 +153,7 @@ static void t_concave_corner(void)
 static void t_concave_corner_holds(void)
 {
 	int32_t bare = 0, count = 0;
-	for (int32_t k = 0; k < 20000; ++k) {
+	for (int32_t k = 0; k < TEST_SAMPLES(20000); ++k) {
 		record ground, shape;
 		float left = random_in(0.05f, 1.2f), right = random_in(0.05f, 1.2f);
 		cni_vec2 points[3] = { { 6.0f * (float)cos((double)right), 6.0f * (float)sin((double)right) }, { 0, 0 }, { -6.0f * (float)cos((double)left), 6.0f * (float)sin((double)left) } };
@@ -177,7 +177,7 @@ static void t_concave_corner_holds(void)
 			found += collide(&shape.g, &ground.g, child, p.ground, MARGIN, NULL).count;
 		bare += found == 0;
 	}
-	CHECK_GE("touching placements", count, 4000, "");
+	CHECK_GE("touching placements", count, TEST_SAMPLES(4000), "");
 	CHECK_LE("placements without a contact", bare, 0, "");
 }
 
@@ -187,7 +187,7 @@ static void t_convex_loop_is_closed(void)
 {
 	int32_t bare = 0, count = 0, inward = 0;
 	double worst = 0.0;
-	for (int32_t k = 0; k < 40000; ++k) {
+	for (int32_t k = 0; k < TEST_SAMPLES(40000); ++k) {
 		record ground, shape, solid;
 		cn_polygon wheel;
 		wheel.count = 3 + random_below(10);
@@ -222,7 +222,7 @@ static void t_convex_loop_is_closed(void)
 		if (deepest < 1.0f)
 			worst = greater(worst, fabs((double)deepest - reference));
 	}
-	CHECK_GE("touching placements", count, 20000, "");
+	CHECK_GE("touching placements", count, TEST_SAMPLES(20000), "");
 	CHECK_LE("placements without a contact", bare, 0, "");
 	CHECK_LE("normals that pull inwards", inward, 0, "");
 	CHECK_LE("depth against the solid polygon's", worst, 0.3 * (double)SLOP, "m");
@@ -233,7 +233,7 @@ static void t_ledge_does_not_push(void)
 {
 	double worst = 0.0;
 	int32_t contacts = 0;
-	for (int32_t k = 0; k < 20000; ++k) {
+	for (int32_t k = 0; k < TEST_SAMPLES(20000); ++k) {
 		record ground, shape;
 		/* Top from the ledge at x = 0 to the left, a wall down, travelling upwards then left. */
 		cni_vec2 points[4] = { { 0.5f, -4 }, { 0, -3 }, { 0, 0 }, { -6, 0 } };
@@ -249,7 +249,7 @@ static void t_ledge_does_not_push(void)
 				worst = greater(worst, fabs((double)cni_rotate(p.pose.q, m.normal).x));
 		}
 	}
-	CHECK_GE("contacts", contacts, 20000, "");
+	CHECK_GE("contacts", contacts, TEST_SAMPLES(20000), "");
 	CHECK_LE("sideways part of a normal", worst, 0.021, "");
 }
 

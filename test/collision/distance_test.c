@@ -9,7 +9,7 @@ static cni_proxy_points set_of(const record *r, cni_vec2 storage[2]) { return cn
 static void t_segments(void)
 {
 	double worst = 0.0, worst_points = 0.0;
-	for (int32_t k = 0; k < 20000; ++k) {
+	for (int32_t k = 0; k < TEST_SAMPLES(20000); ++k) {
 		cni_vec2 p[4];
 		for (int32_t i = 0; i < 4; ++i)
 			p[i] = random_below(3) ? random_vec(1) : cni_v((float)random_below(3), (float)random_below(3));
@@ -34,7 +34,7 @@ static void t_shapes_apart_and_overlapping(void)
 {
 	double worst = 0.0, worst_points = 0.0, worst_normal = 0.0;
 	int32_t apart = 0, overlapping = 0, wrong = 0;
-	for (int32_t k = 0; k < 60000; ++k) {
+	for (int32_t k = 0; k < TEST_SAMPLES(60000); ++k) {
 		record a, b;
 		cni_vec2 storage[2];
 		float size = k % 3 == 0 ? 0.01f : k % 3 == 1 ? 1.0f : 50.0f;
@@ -55,8 +55,8 @@ static void t_shapes_apart_and_overlapping(void)
 		cni_vec2 gap = cni_sub(d.point_b, d.point_a);
 		worst_points = greater(worst_points, (double)cni_length(cni_sub(gap, cni_mul(d.distance, d.normal))) / (double)size);
 	}
-	CHECK_GE("pairs apart", apart, 10000, "");
-	CHECK_GE("pairs overlapping", overlapping, 1000, "");
+	CHECK_GE("pairs apart", apart, TEST_SAMPLES(10000), "");
+	CHECK_GE("pairs overlapping", overlapping, TEST_SAMPLES(1000), "");
 	CHECK_LE("overlaps not seen", wrong, 0, "");
 	CHECK_LE("distance error over size", worst, 3e-6, "");
 	CHECK_LE("normal length error", worst_normal, 1e-6, "");

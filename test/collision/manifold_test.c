@@ -65,7 +65,7 @@ static void t_form(void)
 {
 	double worst = 0.0;
 	int32_t wrong = 0, touching = 0, double_points = 0;
-	for (int32_t k = 0; k < 60000; ++k) {
+	for (int32_t k = 0; k < TEST_SAMPLES(60000); ++k) {
 		pair p;
 		pair_random(&p, k % 11, k / 11);
 		cni_manifold m = collide(&p.a.g, &p.b.g, 0, p.b_in_a, MARGIN, NULL);
@@ -73,8 +73,8 @@ static void t_form(void)
 		touching += m.count > 0;
 		double_points += m.count == 2;
 	}
-	CHECK_GE("touching", touching, 20000, "pairs");
-	CHECK_GE("with two points", double_points, 5000, "pairs");
+	CHECK_GE("touching", touching, TEST_SAMPLES(20000), "pairs");
+	CHECK_GE("with two points", double_points, TEST_SAMPLES(5000), "pairs");
 	CHECK_LE("normal length error", worst, 1e-6, "");
 	CHECK_LE("broken rules", wrong, 0, "");
 }
@@ -85,7 +85,7 @@ static void t_separation_is_exact(void)
 	for (int32_t kind = 0; kind < 11; ++kind) {
 		double worst_low = 0.0, worst_high = 0.0;
 		int32_t missed = 0, invented = 0, touching = 0;
-		for (int32_t k = 0; k < 8000; ++k) {
+		for (int32_t k = 0; k < TEST_SAMPLES(8000); ++k) {
 			pair p;
 			pair_random(&p, kind, k);
 			double reference = reference_separation(&p.a.g, &p.b.g, p.b_in_a), noise = 2e-6 * (double)p.size;
@@ -113,7 +113,7 @@ static void t_normal_resolves(void)
 	for (int32_t kind = 0; kind < 11; ++kind) {
 		double worst_gap = 0.0, worst_overlap = 0.0;
 		int32_t count = 0;
-		for (int32_t k = 0; k < 8000; ++k) {
+		for (int32_t k = 0; k < TEST_SAMPLES(8000); ++k) {
 			pair p;
 			pair_random(&p, kind, k);
 			cni_manifold m = collide(&p.a.g, &p.b.g, 0, p.b_in_a, MARGIN, NULL);
@@ -136,7 +136,7 @@ static void t_normal_resolves(void)
 static void t_points_are_between_the_surfaces(void)
 {
 	double worst = 0.0;
-	for (int32_t k = 0; k < 40000; ++k) {
+	for (int32_t k = 0; k < TEST_SAMPLES(40000); ++k) {
 		pair p;
 		pair_random(&p, k % 11, k / 11);
 		cni_manifold m = collide(&p.a.g, &p.b.g, 0, p.b_in_a, MARGIN, NULL);
@@ -157,7 +157,7 @@ static void t_moving_both_changes_nothing(void)
 {
 	double worst = 0.0;
 	int32_t different = 0, count = 0;
-	for (int32_t k = 0; k < 20000; ++k) {
+	for (int32_t k = 0; k < TEST_SAMPLES(20000); ++k) {
 		/* The same shape built at another offset in its body, with the inverse transform. */
 		cn_polygon pa = random_polygon(1.0f), pb = random_polygon(1.0f);
 		cni_transform x = random_transform(2, 3);
@@ -180,7 +180,7 @@ static void t_moving_both_changes_nothing(void)
 			worst = greater(worst, (double)cni_length(cni_sub(cni_transform_point(x, m0.points[i].point), m1.points[i].point)));
 		}
 	}
-	CHECK_GE("touching", count, 5000, "pairs");
+	CHECK_GE("touching", count, TEST_SAMPLES(5000), "pairs");
 	CHECK_LE("other features chosen", different, 0.001 * (double)count, "pairs");
 	CHECK_LE("difference", worst, 2e-5, "m"); /* rounding of positions up to 4 m away */
 }
@@ -192,7 +192,7 @@ static void t_swapping_roles_gives_the_mirror(void)
 	static const int32_t same[4] = { 0, 4, 7, 9 };
 	double worst = 0.0;
 	int32_t count = 0, different = 0;
-	for (int32_t k = 0; k < 20000; ++k) {
+	for (int32_t k = 0; k < TEST_SAMPLES(20000); ++k) {
 		pair p;
 		pair_random(&p, same[k & 3], 2 + 4 * (k / 4));
 		cni_manifold m = collide(&p.a.g, &p.b.g, 0, p.b_in_a, MARGIN, NULL);
@@ -212,7 +212,7 @@ static void t_swapping_roles_gives_the_mirror(void)
 static void t_ids_persist_under_small_motion(void)
 {
 	int32_t kept = 0, lost = 0;
-	for (int32_t k = 0; k < 20000; ++k) {
+	for (int32_t k = 0; k < TEST_SAMPLES(20000); ++k) {
 		pair p;
 		pair_random(&p, k % 11, 2 + 4 * (k / 11));
 		cni_manifold_cache cache = { 0, { 0, 0, 0 } };
@@ -259,7 +259,7 @@ static void t_jitter_does_not_change_a_stack(void)
 	int32_t changed = 0, single = 0;
 	double tilt = 0.0;
 	float radii[2] = { 0.0f, 0.05f };
-	for (int32_t k = 0; k < 2000; ++k) {
+	for (int32_t k = 0; k < TEST_SAMPLES(2000); ++k) {
 		record a, b;
 		float radius = radii[k & 1];
 		record_box(&a, 0.5f, 0.5f, radius, transform_none());
@@ -368,7 +368,7 @@ static void t_cache_only_decides_ties(void)
 {
 	int32_t different = 0;
 	double worst = 0.0;
-	for (int32_t k = 0; k < 20000; ++k) {
+	for (int32_t k = 0; k < TEST_SAMPLES(20000); ++k) {
 		pair p;
 		pair_random(&p, k % 11, k / 11);
 		cni_manifold_cache cache = { (uint8_t)random_below(256), { 0, 0, 0 } };
@@ -412,7 +412,7 @@ static void t_extremes_stay_finite(void)
 	static const float sizes[5] = { 0.006f, 0.1f, 10.0f, 1.0e4f, 9.0e5f };
 	double worst = 0.0;
 	int32_t wrong = 0, touching = 0;
-	for (int32_t k = 0; k < 60000; ++k) {
+	for (int32_t k = 0; k < TEST_SAMPLES(60000); ++k) {
 		record a, b;
 		float size_a = sizes[random_below(5)], size_b = sizes[random_below(5)];
 		int32_t type_b = random_below(5), type_a = random_below(type_b < 3 ? type_b + 1 : type_b == 3 ? 4 : 3);
@@ -434,7 +434,7 @@ static void t_extremes_stay_finite(void)
 		for (int32_t i = 0; i < m.count; ++i)
 			wrong += !cni_is_finite2(m.points[i].point) || !cni_is_finite(m.points[i].separation) || m.points[i].id == 0u;
 	}
-	CHECK_GE("touching", touching, 10000, "");
+	CHECK_GE("touching", touching, TEST_SAMPLES(10000), "");
 	CHECK_LE("not finite", wrong, 0, "");
 	CHECK_LE("normal length error", worst, 1e-6, "");
 }

@@ -34,7 +34,7 @@ static void t_random_clouds(void)
 {
 	double worst = -1e30;
 	int32_t foreign = 0, refused = 0, hulls = 0;
-	for (int32_t k = 0; k < 3000; ++k) {
+	for (int32_t k = 0; k < TEST_SAMPLES(3000); ++k) {
 		cni_vec2 points[40];
 		int32_t count = 3 + random_below(12);
 		for (int32_t i = 0; i < count; ++i)
@@ -49,7 +49,7 @@ static void t_random_clouds(void)
 		for (int32_t i = 0; i < h.count; ++i)
 			foreign += !among(h.points_m[i], points, count);
 	}
-	CHECK_GE("hulls made", hulls, 2500, "");
+	CHECK_GE("hulls made", hulls, TEST_SAMPLES(2500), "");
 	CHECK_LE("farthest point outside", worst, 0.005, "m");
 	CHECK_LE("vertices that are no input point", foreign, 0, "");
 	CHECK_LE("hulls that the check refuses", refused, 0, "");

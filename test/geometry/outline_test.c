@@ -208,7 +208,7 @@ static void t_pieces_cover_the_outline_once(void)
 	cn_world *world = fixture_world(0.0f, 0);
 	double lost[4] = { 0.0, 0.0, 0.0, 0.0 }, share = 0.0;
 	int32_t refused = 0, wrong = 0, failed = 0, points[4] = { 0, 0, 0, 0 }, made[4] = { 0, 0, 0, 0 };
-	for (int32_t k = 0; k < 1000; ++k) {
+	for (int32_t k = 0; k < TEST_SAMPLES(1000); ++k) {
 		make_random(&shape, k);
 		if (decompose(&shape, &parts) != CN_OK) {
 			++failed;
@@ -297,7 +297,7 @@ static void t_lattice_outlines(void)
 {
 	int32_t accepted = 0, far_off = 0;
 	double worst = 0.0, worst_noisy = 0.0;
-	for (int32_t k = 0; k < 20000; ++k) {
+	for (int32_t k = 0; k < TEST_SAMPLES(20000); ++k) {
 		float noise = k & 1 ? 3.0e-5f * (float)random_below(20) : 0.0f, shift = k & 2 ? 1000.0f : 0.0f;
 		shape.count = 3 + random_below(7);
 		for (int32_t i = 0; i < shape.count; ++i)
@@ -312,8 +312,8 @@ static void t_lattice_outlines(void)
 		else
 			worst = greater(worst, difference);
 	}
-	CHECK_GE("outlines accepted", accepted, 1000, "");
-	CHECK_GE("of these 1 km away", far_off, 500, "");
+	CHECK_GE("outlines accepted", accepted, TEST_SAMPLES(1000), "");
+	CHECK_GE("of these 1 km away", far_off, TEST_SAMPLES(500), "");
 	CHECK_LE("worst difference of areas", worst, 1e-9, "m of the perimeter");
 	CHECK_LE("worst difference of areas with noise", 1000.0 * worst_noisy, 1000.0 * THICKNESS, "mm of the perimeter");
 }
@@ -321,7 +321,7 @@ static void t_lattice_outlines(void)
 static void t_orientation_is_exact(void)
 {
 	int32_t wrong = 0, zero = 0;
-	for (int32_t k = 0; k < 100000; ++k) {
+	for (int32_t k = 0; k < TEST_SAMPLES(100000); ++k) {
 		int64_t ax = random_below(1 << 23), ay = random_below(1 << 23), ux = random_below(1 << 10), uy = random_below(1 << 10);
 		int64_t s = random_below(1 << 11), t = random_below(1 << 11);
 		int64_t bx = ax + s * ux, by = ay + s * uy, cx = ax + t * ux + random_below(3) - 1, cy = ay + t * uy;
@@ -330,7 +330,7 @@ static void t_orientation_is_exact(void)
 		zero += sign == 0;
 		wrong += cni_orientation(cni_v((float)ax, (float)ay), cni_v((float)bx, (float)by), cni_v((float)cx, (float)cy)) != sign;
 	}
-	CHECK_GE("collinear triples", zero, 10000, "");
+	CHECK_GE("collinear triples", zero, TEST_SAMPLES(10000), "");
 	CHECK_LE("wrong signs", wrong, 0, "");
 }
 

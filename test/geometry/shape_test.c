@@ -25,7 +25,7 @@ static void t_record_layout(void)
 static void t_polygon_is_counter_clockwise_with_outward_normals(void)
 {
 	double worst = 0.0;
-	for (int32_t k = 0; k < 2000; ++k) {
+	for (int32_t k = 0; k < TEST_SAMPLES(2000); ++k) {
 		record r;
 		cn_polygon p = random_polygon(1.0f);
 		cn_polygon reversed = p;
@@ -59,7 +59,7 @@ static void t_segments_look_away_on_both_sides(void)
 {
 	double worst = 0.0;
 	int32_t wrong = 0;
-	for (int32_t k = 0; k < 1000; ++k) {
+	for (int32_t k = 0; k < TEST_SAMPLES(1000); ++k) {
 		record r;
 		record_random(&r, random_below(2) ? CN_SHAPE_CAPSULE : CN_SHAPE_EDGE, 1.0f);
 		const cni_vec2 *p = cni_geometry_points(&r.g), *n = cni_geometry_normals(&r.g);
@@ -74,7 +74,7 @@ static void t_segments_look_away_on_both_sides(void)
 static void t_box_is_tight(void)
 {
 	double worst = 0.0;
-	for (int32_t k = 0; k < 2000; ++k) {
+	for (int32_t k = 0; k < TEST_SAMPLES(2000); ++k) {
 		record r;
 		record_random(&r, random_below(4), 1.0f);
 		cni_transform x = random_transform(5, 3);
@@ -106,7 +106,7 @@ static void t_chain_box_is_of_the_child(void)
 static void t_contains_agrees_with_distance(void)
 {
 	int32_t wrong = 0, inside_count = 0;
-	for (int32_t k = 0; k < 20000; ++k) {
+	for (int32_t k = 0; k < TEST_SAMPLES(20000); ++k) {
 		record r;
 		record_random(&r, random_below(3), 1.0f);
 		cni_vec2 p = random_vec(1.5f);
@@ -118,7 +118,7 @@ static void t_contains_agrees_with_distance(void)
 		if (fabs(signed_distance) > 1e-5 && inside != (signed_distance < 0.0))
 			++wrong;
 	}
-	CHECK_GE("points inside", inside_count, 1000, "");
+	CHECK_GE("points inside", inside_count, TEST_SAMPLES(1000), "");
 	CHECK_LE("wrong answers", wrong, 0, "");
 	record r;
 	cn_edge e = { { 0, 0 }, { 1, 0 } };

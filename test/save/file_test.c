@@ -7,7 +7,7 @@
 #include "world/joints.h"
 #include "save/file.h"
 
-#define LOCKSTEP TEST_FORM(40, 20, 10)
+#define LOCKSTEP TEST_FORM(40, 14, 10)
 
 #ifdef TEST_EMULATED
 #define EMULATED 1

@@ -8,7 +8,7 @@
 #include "world/memory_session.h"
 #include "model/world.h"
 
-#define LOCKSTEP TEST_FORM(60, 20, 10)
+#define LOCKSTEP TEST_FORM(60, 14, 10)
 
 /* ---- scenes ---- */
 

@@ -264,7 +264,7 @@ static void locked_planks_rest(void)
 	uint32_t locks, locked;
 	int32_t k;
 	for (locks = 1; locks < 8; ++locks)
-		for (locked = TEST_FORM(1u, 2u - locks % 2u, locks); locked < 16; locked += TEST_FORM(1, 2, 8)) {
+		for (locked = TEST_FORM(1u, 2u - locks % 2u, locks); locked < 16; locked += TEST_FORM(1, 3, 8)) {
 			scene s = loaded_bridge(4, (int32_t)(locked % 3u));
 			for (k = 0; k < 4; ++k)
 				if (locked >> k & 1u)

@@ -15,7 +15,7 @@ static const char *const mover_names[] = { "circle", "box", "capsule", "polygon"
 static const char *const wall_names[] = { "edge", "chain", "1 cm box", "sensor (control)" };
 static const float speeds_mps[] = { 10.0f, 30.0f, 60.0f, 120.0f, 240.0f, 400.0f };
 #define SPEEDS (sizeof speeds_mps / sizeof *speeds_mps)
-#define STARTS TEST_MANY(200)
+#define STARTS TEST_FORM(200, 70, 20)
 
 /* Adds a shape of about 0.2 m, the rod 2 m long and 4 cm thick. */
 static void mover_shape(cn_world *world, const cn_shape_def *def, int32_t kind)
@@ -152,7 +152,7 @@ static void bodies_given_an_impulse_do_not_pass(void) { walls_hold(WALL_EDGE, 50
 
 /* ---- bullets and dynamic walls ---- */
 
-#define PAIRS 50
+#define PAIRS TEST_FORM(50, 30, 10)
 
 /* Each mover with a wall of its own, 1 cm thick and 40 m high, all at one place: filters keep the pairs apart. */
 static double share_through_dynamic_walls(int32_t mover, float speed, float wall_density, uint32_t flags, uint32_t *random)
@@ -224,7 +224,7 @@ static void struck_body_does_not_pass_the_wall(void)
 	size_t s;
 	for (wall = WALL_EDGE; wall <= WALL_BOX; ++wall)
 		for (s = 0; s < SPEEDS; ++s)
-			for (k = 0; k < TEST_MANY(50); ++k) {
+			for (k = 0; k < TEST_FORM(50, 16, 5); ++k) {
 				cn_world *world = fixture_world(0.0f, 1);
 				cn_body light, heavy;
 				cn_shape_def def;

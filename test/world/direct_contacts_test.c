@@ -59,7 +59,7 @@ static void wall_run(const char *name, float speed, int32_t solver)
 	weigh(&s, ball, 10.0f);
 	fixture_set_velocity(s.world, ball, speed, 2.0f, 0.0f);
 	w = watch_begin(&s);
-	watch_steps(&w, &s, TEST_FORM(240, 120, 60));
+	watch_steps(&w, &s, TEST_FORM(240, 90, 60));
 	printf("  %s\n", name);
 	CHECK_LE("greatest speed / the ball's", w.speed / hypot((double)speed, 2.0), 1.05, "");
 	CHECK_LE("energy / start", w.energy / w.energy_start, 1.0001, "");

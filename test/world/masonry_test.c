@@ -387,7 +387,7 @@ static void t_a_crushed_heap_takes_bounded_work(void)
 		(void)fixture_box(m.world, CN_BODY_DYNAMIC, (float)(k % 8) - 3.5f, 0.5f + (float)(k / 8), 0.0f, 0.5f, 0.5f, 0.5f, 0.0f);
 	plate = fixture_box(m.world, CN_BODY_KINEMATIC, 0.0f, 11.0f, 0.0f, 6.0f, 1.0f, 0.5f, 0.0f);
 	fixture_set_velocity(m.world, plate, 0.0f, -8.0f, 0.0f);
-	for (k = 0; k < TEST_FORM(50, 24, 10); ++k) {
+	for (k = 0; k < TEST_FORM(50, 14, 8); ++k) {
 		int32_t work;
 		fixture_step(m.world, 1);
 		work = m.world->cone_work + m.world->set_work;

@@ -7,7 +7,7 @@
 
 #define MEMBERS 1100
 #define COLUMNS 50
-#define STEPS TEST_FORM(50, 25, 18)
+#define STEPS TEST_FORM(50, 21, 18)
 #define FIRST_CONVEYOR_STEP 15 /* contacts have no extra rows before */
 
 /* What the user is asked, and what it sees then. */

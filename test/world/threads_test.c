@@ -85,7 +85,7 @@ static uint64_t run_digest(cn_world *world, int32_t steps)
 }
 
 #define CROWD 1400
-#define STEPS TEST_FORM(40, 20, 12)
+#define STEPS TEST_FORM(40, 16, 12)
 
 static uint64_t crowd_digest(const cn_world_def *def, int32_t steps)
 {
