@@ -23,7 +23,7 @@
 
 #include <string.h>
 
-/* Passes of a substep are numbered by their bias. */
+/* Passes of a substep are numbered by their bias; PASS_AGAIN has one, too. */
 enum { PASS_BOUNCE = 2, PASS_AGAIN = 3 };
 
 /* ---- groups ---- */
@@ -350,19 +350,29 @@ void cni_heavy_contacts_solve(cn_world *world, const cni_solve *s, int32_t bias)
 	groups_run(world, s, s->team, group_solve, bias);
 }
 
-/* Free bodies alone, as nothing else stops them: more passes over contacts with static and jointed bodies change overlaps by chance. */
-static void group_project(cn_world *world, const cni_solve *s, cni_heavy_group *g, int32_t pass)
+/* Have contacts opened the joints of a component that a free body presses? Those with static and jointed bodies are left: more passes over them cost
+   7% in a scene of flails, and overlaps got larger as often as smaller. */
+static int32_t is_opened(const cni_sparse *sparse, const cni_heavy_group *g)
 {
 	int32_t k = g->begin;
-	while (k < g->end && !s->direct->heavies[k].is_of_free)
+	while (k < g->end && !sparse->heavies[k].is_of_free)
 		++k;
-	if (k < g->end && s->direct->projections[g->component].opening)
+	return k < g->end && sparse->projections[g->component].opening;
+}
+
+static void group_project(cn_world *world, const cni_solve *s, cni_heavy_group *g, int32_t pass)
+{
+	if (is_opened(s->direct, g))
 		group_solve(world, s, g, pass);
 }
 
 void cni_heavy_contacts_project(cn_world *world, const cni_solve *s)
 {
-	groups_run(world, s, s->team, group_project, PASS_AGAIN);
+	int32_t k = 0;
+	while (k < s->direct->heavy_group_count && !is_opened(s->direct, &s->direct->heavy_groups[k]))
+		++k;
+	if (k < s->direct->heavy_group_count) /* else no worker is asked */
+		groups_run(world, s, s->team, group_project, PASS_AGAIN);
 }
 
 /* ---- bounces ---- */

@@ -3,9 +3,9 @@
  *
  * Joints are solved first, then contacts. A body that a contact stopped would separate from its jointed neighbours when positions move, by
  * 4 cm in a substep at 10 m/s. Where joints would open by more than CNI_BAD_PART of the accuracy, also because fast lever arms leave
- * the tangent, their system is solved once more, then the contacts of its bodies, heavy ones first, for a few rounds, joints last. A scene without hard stops
- * costs one check of the joints of touched systems; later rounds only check systems whose bodies have changed. A ball that a wall stops
- * pushes the light chain on which it hangs into itself, and exact joints turn its links by any angle: those that would turn by more than
+ * the tangent, their system is solved once more, then the contacts of its bodies, heavy ones first, for a few rounds, joints last. A
+ * scene without hard stops costs one check of the joints of touched systems; later rounds only check systems whose bodies have changed. A ball that
+ * a wall stops pushes the light chain on which it hangs into itself, and exact joints turn its links by any angle: those that would turn by more than
  * CNI_BUCKLE_RAD in the substep are locked to each other.
  *
  * After the relax passes the same is done with rigid rows for trees of slow bodies. One pass over joints, whose response is that of all bodies, and one

@@ -75,7 +75,7 @@ static void t_oldest_first(void)
 /* One slot, all the time: it wears out its index, then one alias after the other, with the same memory. */
 static void t_many_lives_of_a_slot(void)
 {
-	enum { LIVES = TEST_SAMPLES(4000000), EACH = 1009 };
+	enum { LIVES = TEST_FORM(10000000, 2000000, 400000), EACH = 1009 };
 	static uint32_t dead[LIVES / EACH + 1];
 	uint64_t bytes = 0;
 	uint32_t first = 0, last = 0;

@@ -449,7 +449,7 @@ static void bytes_needed_make_any_world(void)
 {
 	uint32_t random = 99u;
 	int32_t round, refused = 0, loose = 0;
-	for (round = 0; round < TEST_SAMPLES(600); ++round) {
+	for (round = 0; round < TEST_FORM(1000, 300, 60); ++round) {
 		cn_world_def def = random_def(&random);
 		cn_world *world = NULL;
 		fixed_block block;

@@ -10,7 +10,7 @@
  */
 #include "fixture.h"
 
-#define SCENES TEST_MANY(36)
+#define SCENES TEST_FORM(45, 18, 4)
 #define STEPS 300
 #define BODIES_MAX 64
 #define JOINTS_MAX 64
